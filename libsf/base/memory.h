@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Memory through the caller's allocator.
+
+#ifndef SF_BASE_MEMORY_H
+#define SF_BASE_MEMORY_H
+
+#include <sf/base.h>
+
+// Alignment of everything that rows of voxels live in: a cache line, and the widest vector.
+#define SFI_ALIGN 64
+
+// The allocator to keep: a copy of the caller's, or the C library's when `allocator` is NULL.
+sf_allocator sfi_allocator_or_default(const sf_allocator *allocator);
+
+// `count` elements of `element_size` bytes, SFI_ALIGN-aligned. NULL when the product overflows,
+// when it is 0, or when the allocator refuses. Free with the same two numbers.
+void *sfi_alloc_array(const sf_allocator *allocator, size_t count, size_t element_size);
+void sfi_free_array(const sf_allocator *allocator, void *memory, size_t count, size_t element_size);
+
+// Make room for `need` elements in a growing array, by half again or more. Returns 0, with nothing
+// changed, when memory is short.
+int sfi_grow_array(const sf_allocator *allocator, void **memory, size_t *capacity, size_t need,
+                   size_t element_size);
+
+#endif

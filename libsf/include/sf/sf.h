@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The whole core of libsf in one include. Files are apart, in <sf/io.h>, as is their library.
+
+#ifndef SF_SF_H
+#define SF_SF_H
+
+#include <sf/base.h>
+#include <sf/mesh.h>
+#include <sf/support.h>
+#include <sf/voxel.h>
+
+#endif
