@@ -104,6 +104,30 @@ typedef struct sf_component {
 } sf_component;
 
 // ---------------------------------------------------------------------------------------------
+// Instruction sets
+// ---------------------------------------------------------------------------------------------
+
+/** Instruction sets that kernels are written for, from plain to fast. */
+typedef enum sf_isa {
+    SF_ISA_REFERENCE = 0, /**< one bit at a time: the specification */
+    SF_ISA_WORD = 1,      /**< 64-bit words, plain C */
+    SF_ISA_SSE2 = 2,      /**< x86, 128 bits */
+    SF_ISA_NEON = 3,      /**< Arm, 128 bits */
+    SF_ISA_AVX2 = 4,      /**< x86, 256 bits */
+    SF_ISA_COUNT = 5      /**< number of instruction sets, not one of them */
+} sf_isa;
+
+/**
+ * Use no instruction set above `limit`, for tests and benches; results never depend on it.
+ *
+ * @param limit  the highest set to use; SF_ISA_AVX2 or any other value lifts the limit
+ * @return the name of the set now in use: the best one that the processor has within the limit.
+ * @cost constant.   @threads any; work under way on other threads may finish on the old set.
+ * @since 0.1
+ */
+SF_API const char *sf_isa_limit(sf_isa limit);
+
+// ---------------------------------------------------------------------------------------------
 // Slices
 // ---------------------------------------------------------------------------------------------
 

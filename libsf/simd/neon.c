@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The kernels for 64-bit Arm, where NEON is always there.
+
+#include "simd/kernels.h"
+
+#if defined(__aarch64__)
+
+#include <arm_neon.h>
+
+#define SF_FN(name) name##_neon
+#define SF_NAME "neon"
+#define SF_TARGET
+#define SF_VEC uint64x2_t
+#define SF_LANES 2
+#define SF_LOAD(p) vld1q_u64(p)
+#define SF_STORE(p, v) vst1q_u64(p, v)
+#define SF_AND(a, b) vandq_u64(a, b)
+#define SF_OR(a, b) vorrq_u64(a, b)
+#define SF_XOR(a, b) veorq_u64(a, b)
+#define SF_ANDNOT(a, b) vbicq_u64(a, b)
+#define SF_SHL(v, s) vshlq_u64(v, vdupq_n_s64((int64_t)(s)))
+#define SF_SHR(v, s) vshlq_u64(v, vdupq_n_s64(-(int64_t)(s)))
+#define SF_FIRST(w) vcombine_u64(vcreate_u64(w), vcreate_u64(0))
+#define SF_PREV(p, c) vextq_u64(p, c, 1)
+#define SF_NEXT(c, n) vextq_u64(c, n, 1)
+#define SF_POPCOUNT(w) ((uint64_t)vaddv_u8(vcnt_u8(vcreate_u8(w))))
+#include "simd/template.h"
+
+const sfi_kernels *sfi_kernels_neon(void)
+{
+    return &table_neon;
+}
+
+#else
+
+const sfi_kernels *sfi_kernels_neon(void)
+{
+    return NULL;
+}
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The kernels one bit at a time. Slow on purpose: this file is the specification of the others, so
+// every line here should be evidently right.
+
+#include "simd/kernels.h"
+
+static int get(const uint64_t *words, size_t x)
+{
+    return (int)(words[x / 64] >> (x % 64) & 1);
+}
+
+static void put(uint64_t *words, size_t x, int value)
+{
+    uint64_t bit = UINT64_C(1) << (x % 64);
+    words[x / 64] = value ? words[x / 64] | bit : words[x / 64] & ~bit;
+}
+
+static uint64_t popcount(const uint64_t *words, size_t count)
+{
+    uint64_t sum = 0;
+    for (size_t x = 0; x < 64 * count; x++) {
+        sum += (uint64_t)get(words, x);
+    }
+    return sum;
+}
+
+static void and_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, get(a, x) && get(b, x));
+    }
+}
+
+static void or_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, get(a, x) || get(b, x));
+    }
+}
+
+static void xor_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, get(a, x) != get(b, x));
+    }
+}
+
+static void subtract_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, get(a, x) && !get(b, x));
+    }
+}
+
+static void widen(uint64_t *dst, const uint64_t *src, unsigned s, size_t count)
+{
+    const uint64_t *from = src - 1; // one word further left, so that no index is negative
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, get(from, 64 + x - s) || get(from, 64 + x) || get(from, 64 + x + s));
+    }
+}
+
+static unsigned prefix_xor(uint64_t *words, size_t count)
+{
+    int parity = 0;
+    for (size_t x = 0; x < 64 * count; x++) {
+        parity ^= get(words, x);
+        put(words, x, parity);
+    }
+    return (unsigned)parity;
+}
+
+// Voxel (x, y) of a slice; empty outside.
+static int voxel(sf_slice slice, long x, long y)
+{
+    if (x < 0 || y < 0 || x >= (long)slice.width || y >= (long)slice.height) {
+        return 0;
+    }
+    return get(slice.words + (size_t)y * slice.stride, (size_t)x);
+}
+
+static void trim(sf_slice dst, sf_slice src, sf_slice below, int corners)
+{
+    for (long y = 0; y < (long)src.height; y++) {
+        uint64_t *row = dst.words + (size_t)y * dst.stride;
+        for (long x = 0; x < (long)src.width; x++) {
+            int held = 0;
+            for (long dy = -1; dy <= 1; dy++) {
+                for (long dx = -1; dx <= 1; dx++) {
+                    held |= (corners || dx == 0 || dy == 0) && voxel(below, x + dx, y + dy);
+                }
+            }
+            put(row, (size_t)x, voxel(src, x, y) && held);
+        }
+        for (size_t x = src.width; x < 64 * sfi_row_words(src.width); x++) {
+            put(row, x, 0);
+        }
+    }
+}
+
+static void trim_box3(sf_slice dst, sf_slice src, sf_slice below)
+{
+    trim(dst, src, below, 1);
+}
+
+static void trim_plus3(sf_slice dst, sf_slice src, sf_slice below)
+{
+    trim(dst, src, below, 0);
+}
+
+static const sfi_kernels table = {
+    .name = "reference",
+    .popcount = popcount,
+    .and_words = and_words,
+    .or_words = or_words,
+    .xor_words = xor_words,
+    .subtract_words = subtract_words,
+    .widen = widen,
+    .prefix_xor = prefix_xor,
+    .trim_box3 = trim_box3,
+    .trim_plus3 = trim_plus3,
+};
+
+const sfi_kernels *sfi_kernels_reference(void)
+{
+    return &table;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the library itself asks of slices.
+
+#ifndef SF_VOXEL_SLICE_H
+#define SF_VOXEL_SLICE_H
+
+#include <sf/voxel.h>
+
+#include "simd/kernels.h"
+
+static inline uint64_t *sfi_slice_row(sf_slice slice, uint32_t y)
+{
+    return slice.words + (size_t)y * slice.stride;
+}
+
+// SF_OK, or SF_ERR_ARGUMENT for a slice that is no slice.
+sf_status sfi_slice_validate(sf_slice slice);
+
+// The same for two slices that must have one size: SF_ERR_SHAPE when they have not.
+sf_status sfi_slice_validate_pair(sf_slice a, sf_slice b);
+
+// Whether any byte of one lies between the first and the last byte of the other.
+int sfi_slice_overlap(sf_slice a, sf_slice b);
+
+// Whether both are the same view: same words, same stride.
+int sfi_slice_same(sf_slice a, sf_slice b);
+
+#endif

@@ -1,0 +1,134 @@
+// Why: every instruction set must give the bits of the reference, which is the specification, at
+// every width and at the very end of memory (TRUST 31, 89, B20).
+
+#define _DEFAULT_SOURCE
+
+#include "simd/kernels.h"
+#include "guarded.h"
+#include "test.h"
+
+#define ROWS 5
+
+static unsigned char *area[4];
+
+static void fill(uint64_t *words, size_t count, int pattern)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint64_t edges = UINT64_C(0x8000000000000001), one = UINT64_C(1) << test_random_below(64);
+        uint64_t values[] = {test_random(), 0,   ~UINT64_C(0),
+                             edges,         one, test_random() | test_random()};
+        words[i] = values[pattern % 6];
+    }
+}
+
+static void binary(const sfi_kernels *k, size_t count, int at_end)
+{
+    const sfi_kernels *r = sfi_kernels_reference();
+    uint64_t *a = guarded_words(area[0], count, at_end), *b = guarded_words(area[1], count, at_end);
+    uint64_t *got = guarded_words(area[2], count, at_end),
+             *want = guarded_words(area[3], count, at_end);
+    void (*const of_k[])(uint64_t *, const uint64_t *, const uint64_t *,
+                         size_t) = {k->and_words, k->or_words, k->xor_words, k->subtract_words};
+    void (*const of_r[])(uint64_t *, const uint64_t *, const uint64_t *,
+                         size_t) = {r->and_words, r->or_words, r->xor_words, r->subtract_words};
+    for (int operation = 0; operation < 4; operation++) {
+        fill(a, count, operation);
+        fill(b, count, (int)test_random_below(6));
+        of_k[operation](got, a, b, count);
+        of_r[operation](want, a, b, count);
+        CHECK(memcmp(got, want, 8 * count) == 0);
+        of_k[operation](a, a, b, count); // in place
+        CHECK(memcmp(a, want, 8 * count) == 0);
+    }
+    fill(a, count, (int)test_random_below(6));
+    CHECK_EQ(k->popcount(a, count), r->popcount(a, count));
+    memcpy(got, a, 8 * count);
+    memcpy(want, a, 8 * count);
+    CHECK_EQ(k->prefix_xor(got, count), r->prefix_xor(want, count));
+    CHECK(memcmp(got, want, 8 * count) == 0);
+}
+
+static void widening(const sfi_kernels *k, size_t count, int at_end)
+{
+    const sfi_kernels *r = sfi_kernels_reference();
+    uint64_t *src = guarded_words(area[0], count + 2, at_end);
+    uint64_t *got = guarded_words(area[2], count, at_end),
+             *want = guarded_words(area[3], count, at_end);
+    for (unsigned s = 1; s <= 63; s += 1 + test_random_below(9)) {
+        fill(src, count + 2, (int)s);
+        k->widen(got, src + 1, s, count);
+        r->widen(want, src + 1, s, count);
+        CHECK(memcmp(got, want, 8 * count) == 0);
+    }
+}
+
+static void trimming(const sfi_kernels *k, uint32_t width, int at_end)
+{
+    const sfi_kernels *r = sfi_kernels_reference();
+    size_t words = sfi_row_words(width), stride = words + test_random_below(3);
+    size_t total = stride * (ROWS - 1) + words;
+    sf_slice src = {guarded_words(area[0], total, at_end), width, ROWS, stride};
+    sf_slice below = {guarded_words(area[1], total, at_end), width, ROWS, stride};
+    sf_slice got = {guarded_words(area[2], total, at_end), width, ROWS, stride};
+    sf_slice want = {guarded_words(area[3], total, at_end), width, ROWS, stride};
+    for (int pattern = 0; pattern < 6; pattern++) {
+        fill(src.words, total, pattern % 2 ? 2 : 0); // padding is poisoned along with the rest
+        fill(below.words, total, pattern);
+        memset(got.words, 0,
+               8 * total); // words between the rows belong to nobody: compare them too
+        memset(want.words, 0, 8 * total);
+        k->trim_box3(got, src, below);
+        r->trim_box3(want, src, below);
+        CHECK(memcmp(got.words, want.words, 8 * total) == 0);
+        k->trim_plus3(got, src, below);
+        r->trim_plus3(want, src, below);
+        CHECK(memcmp(got.words, want.words, 8 * total) == 0);
+        k->trim_plus3(src, src, below); // in place
+        for (uint32_t y = 0; y < ROWS; y++) {
+            CHECK(memcmp(src.words + y * stride, want.words + y * stride, 8 * words) == 0);
+        }
+    }
+}
+
+static void every_table_equals_the_reference(void)
+{
+    for (int i = 0; i < 4; i++) {
+        area[i] = guarded_area();
+    }
+    for (int isa = SF_ISA_WORD; isa < SF_ISA_COUNT; isa++) {
+        const sfi_kernels *kernels = sfi_kernels_for((sf_isa)isa);
+        if (kernels == NULL) {
+            continue;
+        }
+        printf("# %s\n", kernels->name);
+        for (uint32_t width = 1; width <= 257; width++) {
+            trimming(kernels, width, 1);
+            trimming(kernels, width, 0);
+        }
+        for (size_t count = 1; count <= 40; count++) {
+            binary(kernels, count, 1);
+            binary(kernels, count, 0);
+            widening(kernels, count, 1);
+            widening(kernels, count, 0);
+        }
+        trimming(kernels, 4095, 1);
+    }
+}
+
+static void a_limit_is_kept_and_lifted(void)
+{
+    CHECK_STR(sf_isa_limit(SF_ISA_REFERENCE), "reference");
+    CHECK(sfi_kernels_get() == sfi_kernels_reference());
+    CHECK_STR(sf_isa_limit(SF_ISA_WORD), "word");
+    CHECK(sfi_kernels_get() == sfi_kernels_word());
+    const char *best = sf_isa_limit(SF_ISA_AVX2);
+    CHECK_STR(sf_isa_limit(SF_ISA_COUNT), best);
+    CHECK_STR(sfi_kernels_get()->name, best);
+}
+
+int main(void)
+{
+    TEST(every_table_equals_the_reference);
+    TEST(a_limit_is_kept_and_lifted);
+    return test_finish();
+}
