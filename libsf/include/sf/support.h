@@ -3,8 +3,16 @@
 // so.
 //
 // A shape S_0, S_1, ... is support-free under a rule when every slice lies within what the slice
-// below can carry: S_{k+1} is a subset of S_k dilated by the rule's element for that step. Slice 0
-// here is the bed slice: the one that rests on the bed and needs nothing below it.
+// below can carry: S_{k+1} is a subset of S_k dilated by the rule's element for that step. One
+// slice, the bed slice, rests on the bed and needs nothing below it; by default it is the first
+// slice that holds matter. What lies outside a slice is empty: nothing is carried from there.
+//
+// Three things are built on that sentence. A rule says which element each step has. A check counts
+// what is not carried, and names the places (findings), lowest first, each with the one that caused
+// it. A trim removes everything that is not carried, and what then is not carried any more, from
+// the bottom up: what is left is the largest support-free part of the shape.
+//
+// Rules and checks compute with integers only and take no memory of their own.
 
 #ifndef SF_SUPPORT_H
 #define SF_SUPPORT_H
@@ -23,52 +31,143 @@ extern "C" {
 typedef enum sf_rule_kind {
     SF_RULE_BOX3 = 0,    /**< the nine voxels below: the papers' rule; takes no angle */
     SF_RULE_OCTAGON = 1, /**< a schedule of pluses and squares that stays within the asked angle */
-    SF_RULE_DISK = 2     /**< an ellipse in voxels, a disk in mm, per layer */
+    SF_RULE_DISK = 2 /**< an ellipse in voxels, a disk in mm, the same for layers of one height */
 } sf_rule_kind;
 
+/** Smallest overhang angle that a rule can be made for, in radians: 5 degrees. */
+#define SF_RULE_ANGLE_MIN_RAD 0.08726646259971647
+/** Largest overhang angle that a rule can be made for, in radians: 85 degrees. */
+#define SF_RULE_ANGLE_MAX_RAD 1.4835298641951802
+
 /**
- * A support rule for one lattice, made by sf_rule_make(). Holds integers only: reaches are in
- * 1/2^24 voxel, so that the checker needs no floating point.
+ * A support rule for one lattice: make it with sf_rule_box3() or sf_rule_make(), and only read it.
+ *
+ * Holds integers only: reaches are in 1/2^24 voxel. The reach of a step is how far, measured in the
+ * plane, matter may lie beyond the matter that carries it. `table` belongs to the caller of
+ * sf_rule_make() and must outlive every use of the rule.
  */
 typedef struct sf_rule {
     sf_rule_kind kind;
-    uint32_t table_count; /**< entries of each table: layers of the lattice, or 0 when uniform */
-    uint64_t reach_x_q24; /**< uniform layers: reach of one step along x */
-    uint64_t reach_y_q24; /**< uniform layers: reach of one step along y */
-    const uint64_t
-        *table; /**< NULL, or cumulative reach at each layer: x entries, then y entries */
+    uint32_t table_count;  /**< layers that the table serves; 0 when all layers have one height */
+    uint64_t reach_x_q24;  /**< one height: reach of one step along x */
+    uint64_t reach_y_q24;  /**< one height: reach of one step along y */
+    const uint64_t *table; /**< table_count numbers for x, then as many for y; or NULL. Octagon:
+                                reach from layer 0 to each layer. Disk: reach of each step. */
 } sf_rule;
 
-/** What a rule allows on its lattice, for people. */
+/**
+ * What a rule allows on its lattice, for people: angles from the vertical, in radians.
+ *
+ * The first three hold in the long run, over many layers, in every layer of the lattice; the last
+ * is exceeded nowhere but for rounding (octagon: less than 1.502 voxel in the plane, however long
+ * the overhang).
+ */
 typedef struct sf_rule_angles {
-    double axis_rad;   /**< steepest overhang along x that is always accepted, from the vertical */
-    double axis_y_rad; /**< the same along y */
-    double diagonal_rad; /**< the same along the diagonal of a voxel */
+    double axis_x_rad;   /**< an overhang along x is accepted up to this angle */
+    double axis_y_rad;   /**< the same along y */
+    double diagonal_rad; /**< the same along the diagonal of a pixel */
+    double steepest_rad; /**< no overhang beyond this angle is accepted in any direction */
 } sf_rule_angles;
 
-/** The bare default: box3. */
+/**
+ * The papers' rule: a voxel is carried by any of the nine below it.
+ *
+ * It takes no angle. On cubic voxels it accepts 45 degrees along the axes and 54.7 degrees along
+ * diagonals; sf_rule_measure() says what it accepts on another lattice.
+ *
+ * @return the rule; it serves every lattice.
+ * @cost constant.   @threads any.
+ * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
+ * Eurographics 2016, section 3.2.
+ * @since 0.1
+ */
 SF_API sf_rule sf_rule_box3(void);
 
-/** Number of uint64_t that sf_rule_make() needs in its table for this lattice: 0 when uniform. */
+/**
+ * Number of uint64_t that the table of sf_rule_make() needs for a lattice.
+ *
+ * @param lattice  any lattice; NULL counts as uniform
+ * @return 0 where all layers have one height (heights_mm == NULL, or one layer), else 2 * nz.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API size_t sf_rule_table_count(const sf_lattice *lattice);
 
 /**
- * Make a rule for an overhang angle (from the vertical) on a lattice.
+ * Make a rule for an overhang angle on a lattice.
  *
- * A lattice that the rule cannot serve is refused with SF_ERR_UNSUPPORTED and a sentence.
+ * The angle is measured from the vertical: 45 degrees is as far out as up, and larger is more
+ * daring. The reach of a step from layer k is height_k * tan(angle) / pitch voxels, rounded down to
+ * 1/2^24 voxel after one part in 2^40 has been forgiven, so that 45 degrees on cubes is exactly 1
+ * whatever way the angle and the pitch were written.
+ *
+ * Octagon is the rule to take where an angle is given and pixels are square: it never reaches
+ * beyond the asked angle but for less than 1.502 voxel, in any direction and over any number of
+ * layers; along the axes and the diagonals it stays at atan(0.924 tan(angle)). Disk is good where
+ * the reach is three voxels or more, because each step rounds down anew; it serves pixels that are
+ * not square. Box3 ignores the angle.
+ *
+ * @param kind       which rule
+ * @param angle_rad  SF_RULE_ANGLE_MIN_RAD to SF_RULE_ANGLE_MAX_RAD (5 to 85 degrees, each bound
+ *                   with 1e-9 to spare); ignored by box3
+ * @param lattice    the lattice that slices lie on
+ * @param table      sf_rule_table_count() numbers, or NULL where that is 0 or for box3; written,
+ *                   and kept by the rule
+ * @param rule       the rule
+ * @param fault      NULL, or where a refusal is explained
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such kind, an angle outside its range or not a
+ * number; SF_ERR_UNSUPPORTED: octagon on pixels that are not square, disk where a step reaches less
+ * than a voxel, a step that reaches more than SF_REACH_MAX voxels; what sf_lattice_validate() says.
+ * @cost O(nz) where heights differ, else constant.   @threads any.
+ * @source The octagon's schedule is a Bresenham line in the number of pluses and squares
+ * (J. E. Bresenham, 1965).
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_rule_make(sf_rule_kind kind, double angle_rad,
                                          const sf_lattice *lattice, uint64_t *table, sf_rule *rule,
                                          sf_fault *fault);
 
-/** The element of the step from slice k to slice k + 1 (k counts from the lattice's layer 0). */
+/**
+ * The element of one step: slice k + 1 must lie within slice k dilated by it.
+ *
+ * The octagon's elements differ from step to step even where all layers have one height, so k is
+ * always the lattice's layer, never a count from the bed.
+ *
+ * @param rule     the rule
+ * @param k        layer below the step, counted from the lattice's layer 0
+ * @param element  the element
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a rule that sf_rule_make() did not make, or a
+ * table that does not reach to layer k + 1.
+ * @cost O(reach).   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_element *element);
 
-/** Angles that a rule allows on a lattice. */
+/**
+ * Angles that a rule allows on a lattice.
+ *
+ * Box3 and disk: from the reach of single steps, the worst over the layers. Octagon: from its mean
+ * reach; a window of L layers is within 1.502 voxel of that.
+ *
+ * @param rule     the rule
+ * @param lattice  the lattice that it was made for; any for box3
+ * @param angles   the angles
+ * @return SF_OK; SF_ERR_ARGUMENT: as sf_rule_element(); SF_ERR_SHAPE: the rule was made for another
+ * number of layers; what sf_lattice_validate() says.
+ * @cost O(nz + d * reach^2) where d neighbouring layers differ in height.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_rule_measure(const sf_rule *rule, const sf_lattice *lattice,
                                             sf_rule_angles *angles);
 
-/** Name of a rule kind as the command line and stack.json spell it: "box3", "octagon", "disk". */
+/**
+ * Name of a rule kind, as the command line and stack.json spell it.
+ *
+ * @param kind  any value
+ * @return "box3", "octagon", "disk", or "unknown"; a static string, never NULL.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API const char *sf_rule_kind_name(sf_rule_kind kind);
 
 // ---------------------------------------------------------------------------------------------
