@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// What the rooms ask of meshes among themselves.
+
+#ifndef SF_MESH_MESH_H
+#define SF_MESH_MESH_H
+
+#include <sf/mesh.h>
+
+// Number the distinct positions of the vertices, by first appearance (-0 equals 0). `ids` has room
+// for vertex_count numbers; `count` gets how many there are. SF_ERR_MEMORY changes nothing.
+sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, uint32_t *ids,
+                             size_t *count);
+
+#endif
