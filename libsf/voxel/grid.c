@@ -9,6 +9,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 #include <string.h>
@@ -91,6 +92,11 @@ void sf_grid_destroy(sf_grid *grid)
     if (grid != NULL) {
         destroy(grid);
     }
+}
+
+sf_allocator sfi_grid_allocator(const sf_grid *grid)
+{
+    return grid->allocator;
 }
 
 sf_lattice sf_grid_lattice(const sf_grid *grid)

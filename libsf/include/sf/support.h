@@ -171,6 +171,19 @@ SF_API SF_CHECKED sf_status sf_rule_measure(const sf_rule *rule, const sf_lattic
 SF_API const char *sf_rule_kind_name(sf_rule_kind kind);
 
 // ---------------------------------------------------------------------------------------------
+// Bed
+// ---------------------------------------------------------------------------------------------
+
+/**
+ * Bed layer chosen by the shape itself: the first slice that holds matter.
+ *
+ * Where a bed layer is given instead, its slice rests on the bed whole, whatever lies below. Matter
+ * below it hangs in the air: a check counts it as unsupported where nothing below carries it and as
+ * trimmed everywhere, and a trim removes it.
+ */
+#define SF_BED_AUTO UINT32_MAX
+
+// ---------------------------------------------------------------------------------------------
 // Check
 // ---------------------------------------------------------------------------------------------
 
@@ -248,26 +261,65 @@ SF_API SF_CHECKED sf_status sf_checker_report(const sf_checker *checker, sf_chec
 // Trim
 // ---------------------------------------------------------------------------------------------
 
-/** Bed layer chosen by the shape itself: the first slice that holds matter. */
-#define SF_BED_AUTO UINT32_MAX
-
 /** Counts of a trim. */
 typedef struct sf_trim_report {
-    uint64_t kept_voxels, removed_voxels;
+    uint64_t kept_voxels;    /**< solid voxels left */
+    uint64_t removed_voxels; /**< solid voxels taken away */
+    uint32_t bed_layer;      /**< the bed layer; SF_BED_AUTO when the grid holds no matter */
 } sf_trim_report;
 
 /**
- * Remove everything that is not supported, from the bottom up: the largest support-free part.
+ * Remove everything that is not supported, in place: what is left is the largest support-free part.
  *
- * Matter below the bed layer is removed.
+ * From the bottom up: T_bed = S_bed and T_{k+1} = S_{k+1} and dilate(T_k); matter below the bed
+ * layer is removed. The result contains every support-free part of the shape, so no order of other
+ * removals keeps more, and trimming again changes nothing.
+ *
+ * @param grid       the shape, changed in place
+ * @param rule       a rule for the grid's lattice
+ * @param bed_layer  layer that rests on the bed, or SF_BED_AUTO: the first that holds matter
+ * @param task       NULL, or progress per slice; a cancel is honoured only before the first write,
+ *                   because there is no second grid to go back to
+ * @param report     counts, or NULL, which saves counting
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a bed layer that the grid has not, a rule that
+ * does not serve all its layers; SF_ERR_CANCELLED.
+ * @cost one pass over the grid for box3 and octagon up to reach 1; about 4 * reach passes else.
+ * @threads one per grid.
+ * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
+ * Eurographics 2016, sections 2.2 and 3.2.
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_trim(sf_grid *grid, const sf_rule *rule, uint32_t bed_layer,
                                          sf_task *task, sf_trim_report *report);
 
 /**
- * Bring `printable` = trim(`drawn`) up to date after `drawn` changed within `box`: recomputes only
- * what can have changed and stops where nothing does. `drawn` may be `printable`, if the change
- * only removed matter.
+ * Bring `printable` = trim(`drawn`) up to date after `drawn` changed within `box`.
+ *
+ * Before the change `printable` was the trim of `drawn`, by the same rule and bed layer; after this
+ * call it is again, bit for bit what sf_grid_trim() of `drawn` gives. Only what can have changed is
+ * looked at: the box, and above it what rests on voxels that did change, up to the first layer
+ * where none did. Matter may have been added and removed; parts that were trimmed earlier come back
+ * where there is support for them now.
+ *
+ * `drawn` and `printable` may be one grid, if the change only removed matter and the grid was
+ * support-free before it.
+ *
+ * Where bed_layer is SF_BED_AUTO and the change moved the first layer that holds matter, everything
+ * is recomputed.
+ *
+ * @param drawn      the shape as drawn, after the change
+ * @param printable  its support-free part, before the call that of the shape before the change
+ * @param rule       a rule for the lattice of both
+ * @param bed_layer  as in sf_grid_trim()
+ * @param box        a box around the change, within the grid; an empty one changes nothing
+ * @param changed    NULL, or where the box around the voxels of `printable` that this call changed
+ *                   is left: empty (all zero) when there are none
+ * @return SF_OK; SF_ERR_ARGUMENT: as sf_grid_trim(), or a box beyond the grid; SF_ERR_SHAPE: the
+ * grids differ in counts; SF_ERR_MEMORY: a slice of working memory, taken from the allocator of
+ * `printable`, was refused.
+ * @cost the volume of the boxes around the change in each layer, grown by the rule's reach.
+ * @threads one per pair of grids.
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_trim_box(const sf_grid *drawn, sf_grid *printable,
                                              const sf_rule *rule, uint32_t bed_layer, sf_box box,
