@@ -7,10 +7,8 @@
 #include "mesh/frame.h"
 #include "mesh/skin.h"
 
-// A step: the crossing moves the winding number from voxel `step >> 2` on. Bit 0 is set where it
-// falls (the row leaves), bit 1 where the triangle is a cap and not part of the mesh.
-#define SFI_STEP_LEAVES 1u
-#define SFI_STEP_CAP 2u
+// A step: the crossing moves the winding number from voxel `step >> 2` on; SFI_STEP_LEAVES where
+// it falls, SFI_STEP_CAP where the triangle is no part of the mesh.
 #define SFI_STEP_SHIFT 2
 
 // Rows y0..y1 of the layers k0..k1, half-open; row (k, y) has number (k - k0) * (y1 - y0) + y - y0.

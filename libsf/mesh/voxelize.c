@@ -15,7 +15,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "mesh/bucket.h"
-#include "mesh/row.h"
+#include "mesh/hole.h"
 
 #include <string.h>
 
@@ -97,8 +97,13 @@ static int fill_window(const sf_voxelizer *v, sfi_lane *lane, sfi_window window,
         sf_slice slice = target_slice(to, k);
         for (uint32_t y = window.y0; y < window.y1; y++) {
             size_t row = (size_t)(k - window.k0) * width + (y - window.y0);
-            sfi_row_fill(lane, sfi_lane_row(lane, row), v->fill,
-                         slice.words + (size_t)y * slice.stride);
+            uint64_t *words = slice.words + (size_t)y * slice.stride;
+            size_t changes = sfi_lane_row(lane, row);
+            if (v->skin.winding.node_count > 0) {
+                sfi_row_fill_open(lane, changes, &v->frame, &v->skin, y, k, words);
+            } else {
+                sfi_row_fill(lane, changes, v->fill, words);
+            }
         }
     }
     return 1;
@@ -234,7 +239,7 @@ static void report_lane(const sf_voxelizer *v, const sfi_lane *lane, sf_voxelize
 {
     report->fill = v->fill == SF_FILL_PARITY ? SF_FILL_PARITY : SF_FILL_WINDING;
     report->boundary_edges = v->skin.boundary_edges;
-    report->flipped = v->skin.mark != 0;
+    report->flipped = v->skin.flipped;
     report->odd_rows += lane->odd_rows;
     report->solid_voxels += lane->solid_voxels;
 }
