@@ -189,73 +189,210 @@ SF_API const char *sf_rule_kind_name(sf_rule_kind kind);
 
 /** What kind of fault a finding is. */
 typedef enum sf_finding_kind {
-    SF_FINDING_OVERHANG = 0, /**< matter that reaches too far out from what is supported */
+    SF_FINDING_OVERHANG = 0, /**< matter that reaches too far out from what is carried */
     SF_FINDING_ISLAND = 1    /**< a whole component of a slice with nothing that carries it */
 } sf_finding_kind;
 
 /** cause of a finding that no other finding causes. */
 #define SF_FINDING_ROOT UINT32_MAX
 
-/** One place where a shape is not supported. */
+/**
+ * One place where a shape is not supported: an 8-connected region (through edges and corners) of
+ * the voxels of one layer that the layer below does not carry.
+ *
+ * Every voxel that trimming takes away is due to exactly one finding: to that of its own region
+ * where nothing carries it; else to the one with the lowest index among those that the voxels which
+ * carry it are due to, all of which are lost as well.
+ *
+ * An island touches nothing that is carried, and has no cause. An overhang has one when all carried
+ * voxels that touch its region, corners included, are lost: the lowest index that these are due to.
+ * It grows out of matter that hangs in the air already, so the cause is what to look at first.
+ */
 typedef struct sf_finding {
     sf_finding_kind kind;
-    uint32_t layer; /**< layer where it starts */
-    uint32_t
-        cause; /**< index of the finding below whose loss this one follows, or SF_FINDING_ROOT */
-    uint64_t area;   /**< unsupported voxels in that layer */
-    uint64_t volume; /**< voxels that trimming takes away because of it */
+    uint32_t layer;  /**< layer where it starts, counted from the lattice's layer 0 */
+    uint32_t cause;  /**< index of an earlier finding that this one follows, or SF_FINDING_ROOT */
+    uint64_t area;   /**< voxels of the region */
+    uint64_t volume; /**< voxels that trimming takes away because of it, the region included */
     sf_box box;      /**< smallest box around those voxels */
 } sf_finding;
 
-/** Counts of a check. */
+/**
+ * Counts of a check.
+ *
+ * All counts are exact whatever fits where. The volumes of the findings and unlinked_voxels sum up
+ * to trimmed_voxels. While runs_dropped is 0 a shorter array of findings holds just what a longer
+ * one would hold in its first places.
+ */
 typedef struct sf_check_report {
     uint32_t layer_count;        /**< layers pushed */
+    uint32_t bed_layer;          /**< the bed layer; SF_BED_AUTO while there was no matter */
     uint64_t solid_voxels;       /**< |S| */
     uint64_t unsupported_voxels; /**< sum over k of |S_{k+1} \ dilate(S_k)| */
     uint64_t trimmed_voxels;     /**< |S| - |trim S| */
     uint64_t island_count;       /**< findings of kind island */
     uint64_t overhang_count;     /**< findings of kind overhang */
     uint64_t findings_dropped;   /**< findings that did not fit the caller's array */
+    uint64_t runs_dropped;       /**< runs of lost matter that did not fit run_capacity */
+    uint64_t unlinked_voxels;    /**< trimmed voxels that no finding in the array answers for */
     int support_free;            /**< 1 when unsupported_voxels is 0 */
 } sf_check_report;
 
 /** How a check runs. Fill with sf_check_options_default(). */
 typedef struct sf_check_options {
-    size_t struct_size;
-    sf_rule rule;           /**< box3 by default */
-    uint32_t width, height; /**< size of the slices that will be pushed */
-    uint32_t first_layer;   /**< lattice layer of the first slice pushed */
-    uint32_t run_capacity;  /**< runs of lost matter kept to link findings; 0 links none */
-    sf_finding *findings;   /**< the caller's array, or NULL */
-    size_t finding_capacity;
+    size_t struct_size;      /**< sizeof(sf_check_options), set by the default */
+    sf_rule rule;            /**< box3 by default; its table must outlive the check */
+    uint32_t width, height;  /**< size of the slices that will be pushed; a grid brings its own */
+    uint32_t first_layer;    /**< lattice layer of the first slice pushed; a grid starts at 0 */
+    uint32_t bed_layer;      /**< lattice layer that rests on the bed, or SF_BED_AUTO (default) */
+    uint32_t run_capacity;   /**< runs of lost matter kept of each layer, to link the next one to
+                                  its findings. 0: none, each finding answers for its own region
+                                  only; but in sf_grid_check() as many as it takes */
+    sf_finding *findings;    /**< the caller's array, or NULL for counts only (default) */
+    size_t finding_capacity; /**< places in it */
 } sf_check_options;
 
+/**
+ * Options of a check: rule box3, bed by the shape itself, no findings.
+ *
+ * @return the options; width and height are 0 and must be set for a streaming check.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API sf_check_options sf_check_options_default(void);
 
-/** A streaming check that keeps two slices. Lives in memory of the caller's. */
+/**
+ * A streaming check that keeps two layers, and two more while a layer is pushed.
+ *
+ * Lives in memory of the caller's, takes none of its own, and computes with integers only, so that
+ * a printer's controller can run it while it reads a job. It needs no end: the report may be asked
+ * for after any layer, and the memory may be reused when it is no longer wanted.
+ */
 typedef struct sf_checker sf_checker;
 
-/** Bytes of memory that sf_checker_place() needs for these options. */
+/**
+ * Bytes of memory that sf_checker_place() needs for these options.
+ *
+ * About four slices, 42 bytes for each column, and with findings 32 bytes for each run of
+ * run_capacity and 4 for each column.
+ *
+ * @param options  the options that the checker will be placed with
+ * @param size     the bytes
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, width or
+ * height outside 1..SF_EXTENT_MAX, a first or a bed layer of SF_LAYER_MAX or more, a bed layer
+ * below the first, a capacity without findings, a rule that sf_rule_make() did not make or that
+ * does not serve the first layer; SF_ERR_OVERFLOW: a capacity of 2^31 - 1 or more, or a size that
+ * does not fit the machine.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_size(const sf_check_options *options, size_t *size);
 
-/** Set up a checker in the caller's memory (64-byte aligned, at least sf_checker_size() bytes). */
+/**
+ * Set up a checker in the caller's memory.
+ *
+ * The findings array and the rule's table stay the caller's and must live as long as the checker is
+ * used; the options are copied.
+ *
+ * @param options      the options
+ * @param memory       64-byte aligned; apart from what the findings lie in
+ * @param memory_size  its size in bytes, at least sf_checker_size()
+ * @param checker      the checker, which lies in `memory`
+ * @return SF_OK; what sf_checker_size() says; SF_ERR_ARGUMENT: a NULL pointer, memory that is not
+ * aligned; SF_ERR_CAPACITY: too little memory.
+ * @cost O(width * height / 64).   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_place(const sf_check_options *options, void *memory,
                                              size_t memory_size, sf_checker **checker);
 
-/** Push the next layer as bits. The first layer that holds matter rests on the bed. */
+/**
+ * Push the next layer as bits.
+ *
+ * Findings of the layer are in the array when the call returns, in the order in which their
+ * regions end: by last row, then from left to right in that row. Volumes and boxes of earlier
+ * findings may have grown.
+ *
+ * @param checker  the checker
+ * @param layer    a slice of the checker's width and height; read only; not in the checker's memory
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, a slice in the checker's
+ * memory, a rule whose table does not reach to this layer; SF_ERR_SHAPE: another size;
+ * SF_ERR_OVERFLOW: the layer would be number SF_LAYER_MAX.
+ * @cost a dilation of the layer below, two where matter was lost there, and in lost matter its
+ * voxels times the rows of the element.
+ * @threads one per checker.
+ * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
+ * Eurographics 2016, section 3.2.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_push(sf_checker *checker, sf_slice layer);
 
-/** Push the next layer as runs in row order. */
+/**
+ * Push the next layer as runs.
+ *
+ * @param checker  the checker
+ * @param runs     row by row, left to right, not overlapping but free to touch; labels are ignored;
+ *                 may be NULL where count is 0
+ * @param count    number of runs
+ * @return as sf_checker_push(); SF_ERR_ARGUMENT also: runs that are empty, leave the slice or are
+ * out of order.
+ * @cost as sf_checker_push(), and O(count).   @threads one per checker.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_push_runs(sf_checker *checker, const sf_run *runs,
                                                  size_t count);
 
-/** Push the next layer as 8-bit rows: solid where the value is at least `threshold`. */
+/**
+ * Push the next layer as 8-bit rows: solid where the value is at least `threshold`.
+ *
+ * @param checker    the checker
+ * @param pixels     the pixel of voxel (0, 0), then those along x; row y starts at y * row_bytes
+ * @param row_bytes  bytes from one row to the next, at least the width
+ * @param threshold  1 to 255; 0 makes everything solid
+ * @return as sf_checker_push(); SF_ERR_ARGUMENT also: rows that are too short or do not fit the
+ * machine.
+ * @cost as sf_checker_push(), and two passes over the pixels.   @threads one per checker.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_push_grey(sf_checker *checker, const uint8_t *pixels,
                                                  size_t row_bytes, uint8_t threshold);
 
-/** Counts so far. */
+/**
+ * Counts so far.
+ *
+ * @param checker        the checker
+ * @param report         the counts
+ * @param finding_count  findings in the caller's array; may be NULL
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
+ * @cost constant.   @threads one per checker.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_checker_report(const sf_checker *checker, sf_check_report *report,
                                               size_t *finding_count);
+
+/**
+ * Check a whole grid: the streaming check, with every slice pushed from the bottom up.
+ *
+ * Width, height and first layer of the options are the grid's, whatever stands there. Where
+ * run_capacity is 0 it is chosen so that all runs fit, so that volumes and causes are exact for all
+ * findings in the array. After a failing call the findings array is as it was.
+ *
+ * @param grid           the shape
+ * @param options        rule, bed layer, findings
+ * @param allocator      for working memory: that of a checker, and as many findings as the array
+ *                       has places; NULL for the C library's
+ * @param task           NULL, or progress per slice; a cancel is honoured at every slice
+ * @param report         the counts
+ * @param finding_count  findings in the caller's array; may be NULL
+ * @return SF_OK; what sf_checker_size() says; SF_ERR_ARGUMENT: a NULL pointer, a bed layer that the
+ * grid has not, a rule that does not serve all its layers; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost that of the pushes; more passes where a layer loses more than 262144 runs.
+ * @threads any; the grid is only read.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_grid_check(const sf_grid *grid, const sf_check_options *options,
+                                          const sf_allocator *allocator, sf_task *task,
+                                          sf_check_report *report, size_t *finding_count);
 
 // ---------------------------------------------------------------------------------------------
 // Trim
