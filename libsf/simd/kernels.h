@@ -20,6 +20,9 @@ typedef struct sfi_kernels {
     // Number of set bits.
     uint64_t (*popcount)(const uint64_t *words, size_t count);
 
+    // Adds to sums the number of set bits of a row, the sum of their places x, and of x * x.
+    void (*row_sums)(const uint64_t *words, size_t count, uint64_t sums[3]);
+
     // dst = a op b; dst may be a or b.
     void (*and_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
     void (*or_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);

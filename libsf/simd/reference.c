@@ -15,6 +15,16 @@ static void put(uint64_t *words, size_t x, int value)
     words[x / 64] = value ? words[x / 64] | bit : words[x / 64] & ~bit;
 }
 
+static void row_sums(const uint64_t *words, size_t count, uint64_t sums[3])
+{
+    for (uint64_t x = 0; x < 64 * (uint64_t)count; x++) {
+        uint64_t bit = words[x / 64] >> (x % 64) & 1;
+        sums[0] += bit;
+        sums[1] += bit * x;
+        sums[2] += bit * x * x;
+    }
+}
+
 static uint64_t popcount(const uint64_t *words, size_t count)
 {
     uint64_t sum = 0;
@@ -111,6 +121,7 @@ static void trim_plus3(sf_slice dst, sf_slice src, sf_slice below)
 static const sfi_kernels table = {
     .name = "reference",
     .popcount = popcount,
+    .row_sums = row_sums,
     .and_words = and_words,
     .or_words = or_words,
     .xor_words = xor_words,

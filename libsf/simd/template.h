@@ -35,6 +35,36 @@ SF_WORDWISE(or_words, SF_OR, |)
 SF_WORDWISE(xor_words, SF_XOR, ^)
 SF_WORDWISE(subtract_words, SF_ANDNOT, &~)
 
+// A place is 64 i + b, and b is six bits: the sum of b over a word is the sum of 2^j times the
+// number of set bits whose place has bit j, and the sum of b * b the same over pairs of bits.
+SF_TARGET static void SF_FN(row_sums)(const uint64_t *words, size_t count, uint64_t sums[3])
+{
+    static const uint64_t has_bit[6] = {UINT64_C(0xaaaaaaaaaaaaaaaa), UINT64_C(0xcccccccccccccccc),
+                                        UINT64_C(0xf0f0f0f0f0f0f0f0), UINT64_C(0xff00ff00ff00ff00),
+                                        UINT64_C(0xffff0000ffff0000), UINT64_C(0xffffffff00000000)};
+    for (size_t i = 0; i < count; i++) {
+        uint64_t word = words[i], first = 64 * (uint64_t)i, n = 64, b = 2016, bb = 85344;
+        if (word == 0) {
+            continue;
+        }
+        if (word != ~UINT64_C(0)) {
+            n = SF_POPCOUNT(word);
+            b = bb = 0;
+            for (unsigned j = 0; j < 6; j++) {
+                uint64_t with = word & has_bit[j], single = SF_POPCOUNT(with);
+                b += single << j;
+                bb += single << 2 * j;
+                for (unsigned k = j + 1; k < 6; k++) {
+                    bb += SF_POPCOUNT(with & has_bit[k]) << (j + k + 1);
+                }
+            }
+        }
+        sums[0] += n;
+        sums[1] += first * n + b;
+        sums[2] += first * (first * n + 2 * b) + bb;
+    }
+}
+
 SF_TARGET static uint64_t SF_FN(popcount)(const uint64_t *words, size_t count)
 {
     uint64_t sum = 0;
@@ -158,6 +188,7 @@ SF_TRIM_ROW(trim_plus3, SF_MID_WORD, SF_MID_VEC, SF_ENDS_WORD, SF_ENDS_VEC)
 static const sfi_kernels SF_FN(table) = {
     .name = SF_NAME,
     .popcount = SF_FN(popcount),
+    .row_sums = SF_FN(row_sums),
     .and_words = SF_FN(and_words),
     .or_words = SF_FN(or_words),
     .xor_words = SF_FN(xor_words),

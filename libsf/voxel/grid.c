@@ -5,11 +5,11 @@
 // from the bottom up reads memory in order. A lattice with heights of its own keeps them in a
 // second.
 
+#include "voxel/grid.h"
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
-#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 #include <string.h>

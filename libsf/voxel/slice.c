@@ -6,6 +6,7 @@
 
 #include "voxel/slice.h"
 
+#include "base/bits.h"
 #include "base/status.h"
 
 #include <string.h>
@@ -165,31 +166,6 @@ uint64_t sf_slice_popcount(sf_slice slice)
     return sum;
 }
 
-// Index of the lowest and of the highest set bit of a word that has one.
-static uint32_t lowest_bit(uint64_t w)
-{
-    uint32_t index = 0;
-    for (uint32_t step = 32; step > 0; step /= 2) {
-        if ((w & ((UINT64_C(1) << step) - 1)) == 0) {
-            w >>= step;
-            index += step;
-        }
-    }
-    return index;
-}
-
-static uint32_t highest_bit(uint64_t w)
-{
-    uint32_t index = 0;
-    for (uint32_t step = 32; step > 0; step /= 2) {
-        if (w >> step != 0) {
-            w >>= step;
-            index += step;
-        }
-    }
-    return index;
-}
-
 // Widen x0..x1 to the solid voxels of one row; returns whether it has any.
 static int widen_to_row(const uint64_t *row, uint32_t width, uint32_t *x0, uint32_t *x1)
 {
@@ -207,8 +183,8 @@ static int widen_to_row(const uint64_t *row, uint32_t width, uint32_t *x0, uint3
         last--;
         high = row[last] & (last + 1 == count ? tail : ~UINT64_C(0));
     } while (high == 0);
-    uint32_t left = (uint32_t)first * 64 + lowest_bit(low);
-    uint32_t right = (uint32_t)last * 64 + highest_bit(high) + 1;
+    uint32_t left = (uint32_t)first * 64 + sfi_lowest_bit(low);
+    uint32_t right = (uint32_t)last * 64 + sfi_highest_bit(high) + 1;
     *x0 = left < *x0 ? left : *x0;
     *x1 = right > *x1 ? right : *x1;
     return 1;

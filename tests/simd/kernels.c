@@ -41,6 +41,10 @@ static void binary(const sfi_kernels *k, size_t count, int at_end)
         CHECK(memcmp(a, want, 8 * count) == 0);
     }
     fill(a, count, (int)test_random_below(6));
+    uint64_t sums[3] = {1, 2, 3}, expected[3] = {1, 2, 3};
+    k->row_sums(a, count, sums);
+    r->row_sums(a, count, expected);
+    CHECK(memcmp(sums, expected, sizeof sums) == 0);
     CHECK_EQ(k->popcount(a, count), r->popcount(a, count));
     memcpy(got, a, 8 * count);
     memcpy(want, a, 8 * count);

@@ -2,8 +2,8 @@
 // and erosion must be the dual and the adjoint of dilation (TRUST 32); padding is zero afterwards
 // and without influence before (TRUST 31); aliases that would go wrong are refused (TRUST 84).
 
+#include "random_slice.h"
 #include "simd/kernels.h"
-#include "test.h"
 
 #define MAX_WORDS 4096
 
@@ -13,16 +13,6 @@ static sf_slice make(int which, uint32_t width, uint32_t height, size_t stride)
 {
     sf_slice slice = {memory[which], width, height, stride};
     return slice;
-}
-
-static void randomise(sf_slice slice, uint32_t of_eight)
-{
-    for (size_t i = 0; i < slice.stride * slice.height; i++) {
-        slice.words[i] = 0;
-        for (int bit = 0; bit < 64; bit++) {
-            slice.words[i] |= (uint64_t)(test_random_below(8) < of_eight) << bit;
-        }
-    }
 }
 
 static int at(sf_slice slice, long x, long y, int outside)
@@ -66,7 +56,7 @@ static void one_size(uint32_t width, uint32_t height, sf_element e, uint32_t den
 {
     size_t stride = (width + 63) / 64 + test_random_below(2);
     sf_slice src = make(0, width, height, stride), dst = make(1, width, height, stride);
-    randomise(src, density);
+    random_slice(src, density);
     for (int border = 0; border < 2; border++) {
         for (int erode = 0; erode < 2; erode++) {
             CHECK_EQ((erode ? sf_slice_erode : sf_slice_dilate)(dst, src, &e, (sf_border)border),
@@ -122,9 +112,9 @@ static void erosion_is_adjoint_to_dilation(void)
         sf_element e = random_element(2);
         sf_slice x = make(0, width, height, 2), y = make(1, width, height, 2);
         sf_slice grown = make(2, width, height, 2), shrunk = make(3, width, height, 2);
-        randomise(x, 1);
+        random_slice(x, 1);
         CHECK_EQ(sf_slice_dilate(grown, x, &e, SF_BORDER_EMPTY), SF_OK);
-        randomise(y, 7);
+        random_slice(y, 7);
         if (round % 2 == 0) {
             CHECK_EQ(sf_slice_or(y, y, grown), SF_OK); // make the left side true half of the time
         }
@@ -146,8 +136,8 @@ static void and_dilate_is_dilate_then_and(void)
                                         : random_element(6);
         sf_slice src = make(0, width, height, stride), below = make(1, width, height, stride);
         sf_slice got = make(2, width, height, stride), want = make(3, width, height, stride);
-        randomise(src, 4);
-        randomise(below, 1);
+        random_slice(src, 4);
+        random_slice(below, 1);
         CHECK_EQ(sf_slice_and_dilate(got, src, below, &e), SF_OK);
         CHECK_EQ(sf_slice_dilate(want, below, &e, SF_BORDER_EMPTY), SF_OK);
         CHECK_EQ(sf_slice_and(want, want, src), SF_OK);
@@ -203,7 +193,7 @@ static void wrong_calls_are_refused_and_write_nothing(void)
 {
     sf_slice a = make(0, 64, 4, 1), b = make(1, 64, 5, 1), c = make(0, 64, 4, 2), none = {0};
     sf_element box = sf_element_box3(), growing = {1, {0, 1}};
-    randomise(a, 4);
+    random_slice(a, 4);
     uint64_t before[8];
     memcpy(before, memory[0], sizeof before);
     CHECK_EQ(sf_slice_dilate(a, b, &box, SF_BORDER_EMPTY), SF_ERR_SHAPE);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Connected components of a slice, by its runs.
+//
+// Two runs touch when their rows are neighbours and their intervals overlap (four neighbours) or
+// overlap once one of them is widened by a voxel (eight neighbours). A sweep over two rows at a
+// time finds every such pair, because both rows are sorted; sets of runs are joined in a forest
+// whose parents are kept in the labels themselves, so no memory is needed. A root is always the
+// first run of its set: following runs point downwards, and one pass in order turns parents into
+// numbers. (R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975, with
+// halving.)
+
+#include "base/status.h"
+
+#include <sf/voxel.h>
+
+static uint32_t find_root(sf_run *runs, uint32_t i)
+{
+    while (runs[i].label != i) {
+        runs[i].label = runs[runs[i].label].label;
+        i = runs[i].label;
+    }
+    return i;
+}
+
+static void join(sf_run *runs, uint32_t a, uint32_t b)
+{
+    a = find_root(runs, a);
+    b = find_root(runs, b);
+    if (a < b) {
+        runs[b].label = a;
+    } else {
+        runs[a].label = b;
+    }
+}
+
+// Row order, left to right, with at least one empty voxel between neighbours of a row.
+static int in_order(const sf_run *runs, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (runs[i].x0 >= runs[i].x1) {
+            return 0;
+        }
+        if (i > 0 && (runs[i].y < runs[i - 1].y ||
+                      (runs[i].y == runs[i - 1].y && runs[i].x0 <= runs[i - 1].x1))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// Join runs of one row (first..end) with those of the row below it (from..first).
+static void join_rows(sf_run *runs, size_t from, size_t first, size_t end, uint32_t slack)
+{
+    size_t below = from;
+    for (size_t i = first; i < end; i++) {
+        while (below < first && (uint64_t)runs[below].x1 + slack <= runs[i].x0) {
+            below++;
+        }
+        for (size_t j = below; j < first && runs[j].x0 < (uint64_t)runs[i].x1 + slack; j++) {
+            join(runs, (uint32_t)j, (uint32_t)i);
+        }
+    }
+}
+
+static size_t row_end(const sf_run *runs, size_t count, size_t first)
+{
+    size_t end = first;
+    while (end < count && runs[end].y == runs[first].y) {
+        end++;
+    }
+    return end;
+}
+
+sf_status sf_runs_label(sf_run *runs, size_t count, sf_connectivity connectivity,
+                        uint32_t *component_count)
+{
+    if ((runs == NULL && count > 0) || component_count == NULL ||
+        (connectivity != SF_CONNECT_EDGES && connectivity != SF_CONNECT_CORNERS) ||
+        !in_order(runs, count)) {
+        return SF_ERR_ARGUMENT;
+    }
+    if (count > UINT32_MAX) {
+        return SF_ERR_OVERFLOW;
+    }
+    for (size_t i = 0; i < count; i++) {
+        runs[i].label = (uint32_t)i;
+    }
+    for (size_t from = 0, first = 0, end; first < count; from = first, first = end) {
+        end = row_end(runs, count, first);
+        if (first > 0 && runs[from].y + 1 == runs[first].y) {
+            join_rows(runs, from, first, end, connectivity == SF_CONNECT_CORNERS);
+        }
+    }
+    uint32_t next = 0;
+    for (size_t i = 0; i < count; i++) {
+        runs[i].label = runs[i].label == i ? next++ : runs[runs[i].label].label;
+    }
+    *component_count = next;
+    return SF_OK;
+}
+
+static void widen(sf_rect *bounds, const sf_run *run)
+{
+    bounds->x0 = run->x0 < bounds->x0 ? run->x0 : bounds->x0;
+    bounds->y0 = run->y < bounds->y0 ? run->y : bounds->y0;
+    bounds->x1 = run->x1 > bounds->x1 ? run->x1 : bounds->x1;
+    bounds->y1 = run->y + 1 > bounds->y1 ? run->y + 1 : bounds->y1;
+}
+
+sf_status sf_runs_measure(const sf_run *runs, size_t count, sf_component *components,
+                          size_t capacity)
+{
+    if ((runs == NULL && count > 0) || (components == NULL && capacity > 0)) {
+        return SF_ERR_ARGUMENT;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (runs[i].label >= capacity) {
+            return SF_ERR_CAPACITY;
+        }
+        if (runs[i].x0 >= runs[i].x1) {
+            return SF_ERR_ARGUMENT;
+        }
+    }
+    for (size_t i = 0; i < capacity; i++) {
+        sf_component none = {0, {UINT32_MAX, UINT32_MAX, 0, 0}};
+        components[i] = none;
+    }
+    for (size_t i = 0; i < count; i++) {
+        sf_component *c = &components[runs[i].label];
+        c->area += runs[i].x1 - runs[i].x0;
+        widen(&c->bounds, &runs[i]);
+    }
+    for (size_t i = 0; i < capacity; i++) {
+        if (components[i].area == 0) {
+            sf_rect none = {0, 0, 0, 0};
+            components[i].bounds = none;
+        }
+    }
+    return SF_OK;
+}
