@@ -6,16 +6,20 @@
 // is their winding number, and the mesh's own is M + P - w: solid where that is at least a half,
 // that is where M + P - round(w) >= 1.
 //
-// w is smooth but for jumps where the row crosses a patch, and P jumps there as well; so
-// round(w) - P changes only where w passes a half. An interval in which w stays clear of that needs
-// one look, at its middle: its distance from a half against the steepest slope around it. Other
-// intervals are halved, down to single voxels, which are judged by their own. Far from the holes a
-// row is one interval; only where the surface that spans a hole is met, they get short. What an
-// interval decides is what each of its voxels would: the result is that of the plain formula.
+// The lattice is cut into boxes of 32 voxels a side, and those into boxes of 8. A box is surveyed
+// once for all its rows. Where no patch comes near and w stays clear of a half, round(w) is the
+// same everywhere: such a box costs a row no more than its crossings. The other voxels are judged
+// one by one, and they are few: those that lie near the surface that spans a hole.
+//
+// Boxes lie on the lattice and depend on nothing else, so it does not matter who fills which row.
 
 #include "mesh/hole.h"
 
-#include <math.h>
+#include "base/memory.h"
+
+#include <string.h>
+
+static const uint32_t sides[2] = {4 * SFI_HOLE_BOX, SFI_HOLE_BOX};
 
 typedef struct interval {
     uint32_t x0, x1;
@@ -23,16 +27,82 @@ typedef struct interval {
 
 typedef struct open_row {
     sfi_lane *lane;
+    sfi_hole_lane *holes;
     size_t change_count; // changes made sums: mesh and cap count from the row's start
+    const sfi_frame *frame;
     const sfi_skin *skin;
-    int32_t y, z;
+    uint32_t y, k;
     uint64_t *words;
 } open_row;
 
-static sfi_point voxel_center(const open_row *row, uint32_t x)
+sf_status sfi_hole_lane_create(uint32_t nx, const sf_allocator *allocator, sfi_hole_lane *lane)
 {
-    sfi_point q = {(int32_t)(x * SFI_UNITS + SFI_UNITS / 2), row->y, row->z};
+    memset(lane, 0, sizeof *lane);
+    for (int level = 0; level < 2; level++) {
+        uint32_t count = (nx - 1) / sides[level] + 1;
+        lane->counts[level] = count;
+        lane->tile_y[level] = lane->tile_k[level] = UINT32_MAX;
+        lane->boxes[level] = sfi_alloc_array(allocator, count, sizeof *lane->boxes[level]);
+        lane->known[level] = sfi_alloc_array(allocator, count, 1);
+        if (lane->boxes[level] == NULL || lane->known[level] == NULL) {
+            sfi_hole_lane_destroy(lane, allocator);
+            return SF_ERR_MEMORY;
+        }
+    }
+    return SF_OK;
+}
+
+void sfi_hole_lane_destroy(sfi_hole_lane *lane, const sf_allocator *allocator)
+{
+    for (int level = 0; level < 2; level++) {
+        uint32_t count = lane->counts[level];
+        sfi_free_array(allocator, lane->boxes[level], count, sizeof *lane->boxes[level]);
+        sfi_free_array(allocator, lane->known[level], count, 1);
+    }
+    memset(lane, 0, sizeof *lane);
+}
+
+static sfi_point voxel_center(const sfi_frame *frame, uint32_t x, uint32_t y, uint32_t k)
+{
+    sfi_point q = {(int32_t)(x * SFI_UNITS + SFI_UNITS / 2),
+                   (int32_t)(y * SFI_UNITS + SFI_UNITS / 2), sfi_frame_center(frame, k)};
     return q;
+}
+
+static uint32_t box_last(uint32_t box, uint32_t side, uint32_t count)
+{
+    uint32_t end = (box + 1) * side;
+    return (end < count ? end : count) - 1;
+}
+
+// Corner centres of the box around a row at voxel x.
+static void box_corners(const open_row *row, uint32_t x, uint32_t side, sfi_point *low,
+                        sfi_point *high)
+{
+    const sfi_frame *f = row->frame;
+    uint32_t bx = x / side, by = row->y / side, bk = row->k / side;
+    *low = voxel_center(f, bx * side, by * side, bk * side);
+    *high = voxel_center(f, box_last(bx, side, f->nx), box_last(by, side, f->ny),
+                         box_last(bk, side, f->nz));
+}
+
+static const sfi_winding_block *box_at(const open_row *row, int level, uint32_t x)
+{
+    sfi_hole_lane *holes = row->holes;
+    uint32_t side = sides[level], box = x / side;
+    if (holes->tile_y[level] != row->y / side || holes->tile_k[level] != row->k / side) {
+        holes->tile_y[level] = row->y / side;
+        holes->tile_k[level] = row->k / side;
+        memset(holes->known[level], 0, holes->counts[level]);
+    }
+    if (!holes->known[level][box]) {
+        sfi_point low, high;
+        box_corners(row, x, side, &low, &high);
+        sfi_winding_survey(&row->skin->winding, row->skin->points, low, high,
+                           &holes->boxes[level][box]);
+        holes->known[level][box] = 1;
+    }
+    return &holes->boxes[level][box];
 }
 
 // How many changes have happened at voxel x.
@@ -87,53 +157,55 @@ static int64_t patches_at(const open_row *row, uint32_t x)
     return n > 0 ? row->lane->changes[n - 1].cap : 0;
 }
 
-// Whether one look settles the interval; if so it is filled.
-static int settle(const open_row *row, interval i)
+static double share_of(int32_t low, int32_t at, int32_t high)
 {
-    const sfi_winding *w = &row->skin->winding;
-    uint32_t middle = i.x0 + (i.x1 - i.x0) / 2;
-    sfi_point q = voxel_center(row, middle);
-    double reach = (double)(middle - i.x0) * SFI_UNITS;
-    double slope = sfi_winding_slope(w, row->skin->points, q, reach);
-    if (!(slope * reach < 0.5)) {
-        return 0;
-    }
-    double error, value = sfi_winding_estimate(w, row->skin->points, q, 0x1p-8, &error);
-    double whole = floor(value + 0.5);
-    if (!(fabs(value - whole) + error + slope * reach < 0.5)) {
-        return 0;
-    }
-    fill_interval(row, i, (int64_t)whole - patches_at(row, middle));
-    return 1;
+    return high > low ? (double)(at - low) / (double)(high - low) : 0.0;
 }
 
-static void judge_voxel(const open_row *row, uint32_t x)
+static void judge_voxels(const open_row *row, interval i, const sfi_winding_block *box)
 {
-    int64_t w = sfi_winding_round(&row->skin->winding, row->skin->points, voxel_center(row, x));
-    interval i = {x, x + 1};
-    fill_interval(row, i, w - patches_at(row, x));
+    sfi_point low, high, q = voxel_center(row->frame, i.x0, row->y, row->k);
+    box_corners(row, i.x0, SFI_HOLE_BOX, &low, &high);
+    double share[3] = {0.0, share_of(low.y, q.y, high.y), share_of(low.z, q.z, high.z)};
+    for (uint32_t x = i.x0; x < i.x1; x++) {
+        interval one = {x, x + 1};
+        q.x = voxel_center(row->frame, x, row->y, row->k).x;
+        share[0] = share_of(low.x, q.x, high.x);
+        int64_t w = sfi_winding_round_in(&row->skin->winding, row->skin->points, box, share, q);
+        fill_interval(row, one, w - patches_at(row, x));
+    }
 }
 
-void sfi_row_fill_open(sfi_lane *lane, size_t change_count, const sfi_frame *frame,
-                       const sfi_skin *skin, uint32_t y, uint32_t k, uint64_t *words)
+// Fill what a large box holds of the row, by its small ones where that cannot be done at once.
+static void fill_boxes(const open_row *row, interval i)
 {
-    open_row row = {lane, change_count, skin, 0, sfi_frame_center(frame, k), words};
-    row.y = (int32_t)(y * SFI_UNITS + SFI_UNITS / 2);
-    interval stack[40]; // one waiting half for each halving of at most 2^16 voxels
-    size_t depth = 0;
-    sum_changes(lane->changes, change_count);
-    stack[depth++] = (interval){0, frame->nx};
-    for (uint32_t word = 0; word < (frame->nx + 63) / 64; word++) {
-        words[word] = 0;
+    const sfi_winding_block *box = box_at(row, 0, i.x0);
+    if (box->uniform) {
+        fill_interval(row, i, box->whole - patches_at(row, i.x0));
+        return;
     }
-    while (depth > 0) {
-        interval i = stack[--depth];
-        if (i.x1 - i.x0 == 1) {
-            judge_voxel(&row, i.x0);
-        } else if (!settle(&row, i)) {
-            uint32_t middle = i.x0 + (i.x1 - i.x0) / 2;
-            stack[depth++] = (interval){middle, i.x1};
-            stack[depth++] = (interval){i.x0, middle};
+    while (i.x0 < i.x1) {
+        uint32_t end = i.x0 + SFI_HOLE_BOX < i.x1 ? i.x0 + SFI_HOLE_BOX : i.x1;
+        interval part = {i.x0, end};
+        box = box_at(row, 1, i.x0);
+        if (box->uniform) {
+            fill_interval(row, part, box->whole - patches_at(row, i.x0));
+        } else {
+            judge_voxels(row, part, box);
         }
+        i.x0 = end;
+    }
+}
+
+void sfi_row_fill_open(sfi_lane *lane, sfi_hole_lane *holes, size_t change_count,
+                       const sfi_frame *frame, const sfi_skin *skin, uint32_t y, uint32_t k,
+                       uint64_t *words)
+{
+    open_row row = {lane, holes, change_count, frame, skin, y, k, words};
+    sum_changes(lane->changes, change_count);
+    memset(words, 0, ((size_t)frame->nx + 63) / 64 * sizeof *words);
+    for (uint32_t x = 0; x < frame->nx; x += sides[0]) {
+        interval part = {x, x + sides[0] < frame->nx ? x + sides[0] : frame->nx};
+        fill_boxes(&row, part);
     }
 }

@@ -6,9 +6,24 @@
 
 #include "mesh/row.h"
 
+// Voxels along each side of a box. Rows are best filled box by box, not layer by layer.
+#define SFI_HOLE_BOX 8u
+
+// Surveys of the boxes around the current row, large ones and small ones; made when needed.
+typedef struct sfi_hole_lane {
+    sfi_winding_block *boxes[2];
+    unsigned char *known[2]; // which of them are surveyed
+    uint32_t counts[2];
+    uint32_t tile_y[2], tile_k[2]; // where the boxes stand
+} sfi_hole_lane;
+
+sf_status sfi_hole_lane_create(uint32_t nx, const sf_allocator *allocator, sfi_hole_lane *lane);
+void sfi_hole_lane_destroy(sfi_hole_lane *lane, const sf_allocator *allocator);
+
 // Write one row of a mesh with holes, the row y of layer k: solid where the winding number of the
 // mesh without its patches is at least one half. Its changes are in the lane, by voxel.
-void sfi_row_fill_open(sfi_lane *lane, size_t change_count, const sfi_frame *frame,
-                       const sfi_skin *skin, uint32_t y, uint32_t k, uint64_t *words);
+void sfi_row_fill_open(sfi_lane *lane, sfi_hole_lane *holes, size_t change_count,
+                       const sfi_frame *frame, const sfi_skin *skin, uint32_t y, uint32_t k,
+                       uint64_t *words);
 
 #endif

@@ -14,122 +14,17 @@
 #include "base/memory.h"
 #include "base/status.h"
 #include "base/task.h"
-#include "mesh/bucket.h"
-#include "mesh/hole.h"
+#include "mesh/fill.h"
+#include "mesh/shell.h"
 
 #include <string.h>
 
-#define CROSSINGS 65536u // capacity of a lane's buffer
-#define LANES 16u        // pieces that run side by side
-
-struct sf_voxelizer {
-    sf_allocator allocator;
-    sfi_frame frame;
-    sfi_skin skin;
-    sfi_buckets buckets;
-    sf_fill fill;
-    sfi_lane lane;
-};
-
-// Where slices go: into a grid, or into one slice.
-typedef struct target {
-    sf_grid *grid;
-    sf_slice slice;
-} target;
-
-static sf_slice target_slice(const target *to, uint32_t k)
-{
-    return to->grid != NULL ? sf_grid_slice(to->grid, k) : to->slice;
-}
+#define LANES 16u // pieces that run side by side
 
 sf_voxelize_options sf_voxelize_options_default(void)
 {
     sf_voxelize_options options = {sizeof(sf_voxelize_options), SF_FILL_AUTO};
     return options;
-}
-
-static void crossing_reach(const sfi_frame *frame, const sfi_skin *skin, size_t triangle,
-                           uint32_t *k0, uint32_t *k1)
-{
-    const uint32_t *corner = skin->triangles + 3 * triangle;
-    int32_t low = INT32_MAX, high = INT32_MIN;
-    for (int i = 0; i < 3; i++) {
-        int32_t z = skin->points[corner[i]].z;
-        low = z < low ? z : low;
-        high = z > high ? z : high;
-    }
-    sfi_frame_layers(frame, low, high, k0, k1);
-}
-
-// Crossings of the window, from a list of triangles. Returns 0 when the window must be halved.
-static int collect(const sf_voxelizer *v, sfi_lane *lane, const uint32_t *list, size_t count,
-                   sfi_window window)
-{
-    size_t rows = (size_t)(window.k1 - window.k0) * (window.y1 - window.y0);
-    size_t done = 0;
-    while (done < count) {
-        done += sfi_crossings_add(&lane->crossings, &v->frame, &v->skin, list + done, count - done,
-                                  window);
-        if (done < count && rows > 1) {
-            return 0;
-        }
-        if (done < count) {
-            sfi_lane_spill(lane);
-        }
-    }
-    return 1;
-}
-
-static int fill_window(const sf_voxelizer *v, sfi_lane *lane, sfi_window window, const target *to)
-{
-    uint32_t width = window.y1 - window.y0;
-    size_t rows = (size_t)(window.k1 - window.k0) * width, count;
-    const uint32_t *list = sfi_buckets_slab(&v->buckets, window.k0, &count);
-    sfi_lane_clear(lane, rows);
-    if (!collect(v, lane, list, count, window) ||
-        !collect(v, lane, v->buckets.tall, v->buckets.tall_count, window)) {
-        return 0;
-    }
-    if (!lane->spilled) {
-        sfi_lane_sort(lane, rows);
-    }
-    for (uint32_t k = window.k0; k < window.k1; k++) {
-        sf_slice slice = target_slice(to, k);
-        for (uint32_t y = window.y0; y < window.y1; y++) {
-            size_t row = (size_t)(k - window.k0) * width + (y - window.y0);
-            uint64_t *words = slice.words + (size_t)y * slice.stride;
-            size_t changes = sfi_lane_row(lane, row);
-            if (v->skin.winding.node_count > 0) {
-                sfi_row_fill_open(lane, changes, &v->frame, &v->skin, y, k, words);
-            } else {
-                sfi_row_fill(lane, changes, v->fill, words);
-            }
-        }
-    }
-    return 1;
-}
-
-// Fill the layers k0..k1, all in one slab, in windows as large as the buffer allows.
-static void fill_layers(const sf_voxelizer *v, sfi_lane *lane, uint32_t k0, uint32_t k1,
-                        const target *to)
-{
-    uint32_t layers = k1 - k0, width = v->frame.ny;
-    while (k0 < k1) {
-        uint32_t y = 0;
-        layers = layers < k1 - k0 ? layers : k1 - k0;
-        while (y < v->frame.ny) {
-            uint32_t y1 = width < v->frame.ny - y ? y + width : v->frame.ny;
-            sfi_window window = {k0, k0 + layers, y, y1};
-            if (fill_window(v, lane, window, to)) {
-                y = y1;
-            } else if (layers > 1) {
-                layers = (layers + 1) / 2;
-            } else {
-                width = (y1 - y + 1) / 2;
-            }
-        }
-        k0 += layers;
-    }
 }
 
 static sf_status check_arguments(sf_mesh_view mesh, const sf_lattice *lattice,
@@ -140,7 +35,7 @@ static sf_status check_arguments(sf_mesh_view mesh, const sf_lattice *lattice,
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "The mesh or the lattice is missing.");
     }
     if (options != NULL && (options->struct_size < sizeof(sf_voxelize_options) ||
-                            (unsigned)options->fill > SF_FILL_WINDING)) {
+                            (unsigned)options->fill > SF_FILL_SURFACE)) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "The options do not hold a known fill.");
     }
     if (mesh.vertex_count > UINT32_MAX || mesh.triangle_count > UINT32_MAX) {
@@ -173,8 +68,9 @@ static sf_status prepare(sf_voxelizer *v, sf_mesh_view mesh, const sf_lattice *l
     SF_TRY(sfi_frame_create(lattice, &v->allocator, &v->frame, fault));
     sf_status status = sfi_skin_create(mesh, &v->frame, v->fill, &v->allocator, &v->skin, fault);
     if (status == SF_OK) {
-        status =
-            sfi_buckets_create(&v->frame, &v->skin, crossing_reach, &v->allocator, &v->buckets);
+        status = sfi_buckets_create(&v->frame, &v->skin,
+                                    v->fill == SF_FILL_SURFACE ? sfi_shell_reach : sfi_fill_reach,
+                                    &v->allocator, &v->buckets);
         if (status != SF_OK) {
             sfi_fault_set(fault, status, 0, 0, "%s", sf_status_message(status));
         }
@@ -183,12 +79,6 @@ static sf_status prepare(sf_voxelizer *v, sf_mesh_view mesh, const sf_lattice *l
         release(v);
     }
     return status;
-}
-
-static sf_status create_lane(const sf_voxelizer *v, sfi_lane *lane)
-{
-    size_t rows = (size_t)v->buckets.layers * v->frame.ny;
-    return sfi_lane_create(v->frame.nx, rows, CROSSINGS, &v->allocator, lane);
 }
 
 sf_status sf_voxelizer_create(sf_mesh_view mesh, const sf_lattice *lattice,
@@ -201,7 +91,7 @@ sf_status sf_voxelizer_create(sf_mesh_view mesh, const sf_lattice *lattice,
     sf_voxelizer made;
     SF_TRY(prepare(&made, mesh, lattice, options, allocator, fault));
     sf_voxelizer *v = sfi_alloc_array(&made.allocator, 1, sizeof *v);
-    if (v == NULL || create_lane(&made, &made.lane) != SF_OK) {
+    if (v == NULL || sfi_fill_lane_create(&made, &made.lane) != SF_OK) {
         sfi_free_array(&made.allocator, v, 1, sizeof *v);
         release(&made);
         return sfi_fault_set(fault, SF_ERR_MEMORY, 0, 0, "%s", sf_status_message(SF_ERR_MEMORY));
@@ -215,7 +105,7 @@ void sf_voxelizer_destroy(sf_voxelizer *voxelizer)
 {
     if (voxelizer != NULL) {
         sf_allocator allocator = voxelizer->allocator;
-        sfi_lane_destroy(&voxelizer->lane, &allocator);
+        sfi_fill_lane_destroy(&voxelizer->lane, &allocator);
         release(voxelizer);
         sfi_free_array(&allocator, voxelizer, 1, sizeof *voxelizer);
     }
@@ -230,18 +120,19 @@ sf_status sf_voxelizer_slice(sf_voxelizer *voxelizer, uint32_t k, sf_slice slice
     if (slice.width != voxelizer->frame.nx || slice.height != voxelizer->frame.ny) {
         return SF_ERR_SHAPE;
     }
-    target to = {NULL, slice};
-    fill_layers(voxelizer, &voxelizer->lane, k, k + 1, &to);
+    sfi_target to = {NULL, slice};
+    sfi_fill_layers(voxelizer, &voxelizer->lane, k, k + 1, &to);
     return SF_OK;
 }
 
-static void report_lane(const sf_voxelizer *v, const sfi_lane *lane, sf_voxelize_report *report)
+static void report_lane(const sf_voxelizer *v, const sfi_fill_lane *lane,
+                        sf_voxelize_report *report)
 {
-    report->fill = v->fill == SF_FILL_PARITY ? SF_FILL_PARITY : SF_FILL_WINDING;
+    report->fill = v->fill == SF_FILL_AUTO ? SF_FILL_WINDING : v->fill;
     report->boundary_edges = v->skin.boundary_edges;
     report->flipped = v->skin.flipped;
-    report->odd_rows += lane->odd_rows;
-    report->solid_voxels += lane->solid_voxels;
+    report->odd_rows += lane->rows.odd_rows;
+    report->solid_voxels += lane->rows.solid_voxels;
 }
 
 sf_status sf_voxelizer_report(const sf_voxelizer *voxelizer, sf_voxelize_report *report)
@@ -257,8 +148,8 @@ sf_status sf_voxelizer_report(const sf_voxelizer *voxelizer, sf_voxelize_report 
 // A round of slabs, one a lane.
 typedef struct round {
     const sf_voxelizer *voxelizer;
-    sfi_lane *lanes;
-    target to;
+    sfi_fill_lane *lanes;
+    sfi_target to;
     uint32_t first_slab;
 } round;
 
@@ -268,7 +159,7 @@ static void fill_slab(void *context, size_t index)
     const sf_voxelizer *v = r->voxelizer;
     uint32_t layers = v->buckets.layers, k0 = (r->first_slab + (uint32_t)index) * layers;
     uint32_t k1 = layers < v->frame.nz - k0 ? k0 + layers : v->frame.nz;
-    fill_layers(v, &r->lanes[index], k0, k1, &r->to);
+    sfi_fill_layers(v, &r->lanes[index], k0, k1, &r->to);
 }
 
 static void clear_grid(sf_grid *grid, const sf_voxelizer *v)
@@ -282,7 +173,7 @@ static void clear_grid(sf_grid *grid, const sf_voxelizer *v)
 }
 
 // Fill slab after slab. A cancel is heeded between rounds where an empty grid can be left behind.
-static sf_status fill_grid(const sf_voxelizer *v, sfi_lane *lanes, uint32_t lane_count,
+static sf_status fill_grid(const sf_voxelizer *v, sfi_fill_lane *lanes, uint32_t lane_count,
                            sf_grid *grid, sf_task *task)
 {
     int was_empty = task != NULL && sf_grid_popcount(grid) == 0;
@@ -307,12 +198,12 @@ static sf_status fill_grid(const sf_voxelizer *v, sfi_lane *lanes, uint32_t lane
 static sf_status fill_with_lanes(const sf_voxelizer *v, sf_grid *grid, sf_task *task,
                                  sf_voxelize_report *report)
 {
-    sfi_lane lanes[LANES];
+    sfi_fill_lane lanes[LANES];
     uint32_t lane_count = task != NULL && task->parallel_for != NULL ? LANES : 1, made = 0;
     lane_count = lane_count < v->buckets.slab_count ? lane_count : v->buckets.slab_count;
     sf_status status = SF_OK;
     while (made < lane_count && status == SF_OK) {
-        status = create_lane(v, &lanes[made]);
+        status = sfi_fill_lane_create(v, &lanes[made]);
         made += status == SF_OK;
     }
     if (status == SF_OK) {
@@ -325,7 +216,7 @@ static sf_status fill_with_lanes(const sf_voxelizer *v, sf_grid *grid, sf_task *
         }
     }
     while (made > 0) {
-        sfi_lane_destroy(&lanes[--made], &v->allocator);
+        sfi_fill_lane_destroy(&lanes[--made], &v->allocator);
     }
     return status;
 }

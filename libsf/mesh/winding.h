@@ -31,6 +31,14 @@ sf_status sfi_winding_create(const sfi_frame *frame, const sfi_point *points,
                              sfi_winding *winding);
 void sfi_winding_destroy(sfi_winding *winding, const sf_allocator *allocator);
 
+// Where a point lies, in lengths.
+static inline void sfi_winding_place(const sfi_winding *w, const sfi_point *p, double out[3])
+{
+    out[0] = p->x * w->scale[0];
+    out[1] = p->y * w->scale[1];
+    out[2] = p->z * w->scale[2];
+}
+
 // Write the patches' triangles, patch_count of them: with the mesh they make a closed chain.
 void sfi_winding_patches(const sfi_winding *winding, uint32_t *triangles);
 // Turn the patches around.
@@ -43,9 +51,26 @@ double sfi_winding_estimate(const sfi_winding *winding, const sfi_point *points,
 // The whole number nearest to the patches' winding number around q; a q on a patch counts as just
 // beyond it in x (then y, then z), and a half is rounded down.
 int64_t sfi_winding_round(const sfi_winding *winding, const sfi_point *points, sfi_point q);
-// A bound on how fast the winding number of the mesh changes, for each unit of x, within `reach`
-// units of q; infinite where it is too steep to be of use (more than a half over the reach).
-double sfi_winding_slope(const sfi_winding *winding, const sfi_point *points, sfi_point q,
-                         double reach);
+// Most triangles that a block keeps to itself.
+#define SFI_NEAR_MAX 96
+
+// The patches' winding number within a box of voxels: triangles near the box one by one, all others
+// as a function that is linear along each axis.
+typedef struct sfi_winding_block {
+    double corner[8]; // of what lies far, at the box's corners: bit 0 is x, bit 1 y, bit 2 z
+    double error;     // estimate of how far off the linear function is
+    int64_t whole;    // the rounded winding number, where it is the same everywhere in the box
+    int uniform;      // whether it is
+    int dense;        // whether more than SFI_NEAR_MAX triangles are near: then nothing else holds
+    uint32_t near_count;
+    uint32_t near[SFI_NEAR_MAX];
+} sfi_winding_block;
+
+// Survey the box between two voxel centres, low <= high along each axis.
+void sfi_winding_survey(const sfi_winding *winding, const sfi_point *points, sfi_point low,
+                        sfi_point high, sfi_winding_block *block);
+// sfi_winding_round at a centre within the box; `share` says where between its corners, in [0, 1].
+int64_t sfi_winding_round_in(const sfi_winding *winding, const sfi_point *points,
+                             const sfi_winding_block *block, const double share[3], sfi_point q);
 
 #endif
