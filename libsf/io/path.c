@@ -14,6 +14,8 @@
 
 // Bytes of a path that a sentence shows; of a longer one, the end.
 #define SHOWN_BYTES 100
+// Longest path that systems open.
+#define PATH_BYTES 4096
 
 char *sfi_path_join(const sf_allocator *allocator, const char *path, char separator,
                     const char *name)
@@ -66,19 +68,22 @@ size_t sfi_path_folder_length(const char *path)
     return length > 1 ? length - 1 : length;
 }
 
-void sfi_path_sync_folder(const sf_allocator *allocator, const char *path)
+int sfi_path_put(char *buffer, size_t capacity, const char *folder, const char *name)
 {
+    int length = snprintf(buffer, capacity, "%s/%s", folder, name);
+    return length > 0 && (size_t)length < capacity;
+}
+
+void sfi_path_sync_folder(const char *path)
+{
+    char folder[PATH_BYTES];
     size_t length = sfi_path_folder_length(path);
     if (length == 0) {
         sfi_disk_sync_folder(".");
-        return;
-    }
-    char *folder = sfi_alloc_array(allocator, length + 1, 1);
-    if (folder != NULL) {
+    } else if (length < sizeof folder) {
         memcpy(folder, path, length);
         folder[length] = '\0';
         sfi_disk_sync_folder(folder);
-        sfi_free_array(allocator, folder, length + 1, 1);
     }
 }
 

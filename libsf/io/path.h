@@ -12,6 +12,9 @@ char *sfi_path_join(const sf_allocator *allocator, const char *path, char separa
                     const char *name);
 void sfi_path_free(const sf_allocator *allocator, char *path);
 
+// FOLDER/NAME into a buffer; returns 0 when it does not fit.
+int sfi_path_put(char *buffer, size_t capacity, const char *folder, const char *name);
+
 // A name beside `path` that is most likely free: PATH.sf-PROCESS-NUMBER.WORD.
 char *sfi_path_sibling(const sf_allocator *allocator, const char *path, unsigned number,
                        const char *word);
@@ -20,7 +23,7 @@ char *sfi_path_sibling(const sf_allocator *allocator, const char *path, unsigned
 size_t sfi_path_folder_length(const char *path);
 
 // Make the renaming of `path` last, by syncing its folder.
-void sfi_path_sync_folder(const sf_allocator *allocator, const char *path);
+void sfi_path_sync_folder(const char *path);
 
 // Fill a fault about a path: "WHAT PATH: why" with an errno value as the reason.
 sf_status sfi_path_fault(sf_fault *fault, const char *what, const char *path, int reason);

@@ -137,7 +137,7 @@ sf_status sf_save_commit(sf_save *save, sf_fault *fault)
     } else if (status == SF_OK) {
         sfi_path_free(&save->allocator, save->temporary);
         save->temporary = NULL;
-        sfi_path_sync_folder(&save->allocator, save->path);
+        sfi_path_sync_folder(save->path);
     }
     release(save);
     return status;

@@ -101,6 +101,16 @@ SF_API SF_CHECKED sf_status sf_save_commit(sf_save *save, sf_fault *fault);
 /** Drop what was written and free save; NULL does nothing. */
 SF_API void sf_save_abort(sf_save *save);
 
+/** A folder of the disk, read or written. */
+typedef struct sf_directory sf_directory;
+SF_API SF_CHECKED sf_status sf_directory_read(const char *path, const sf_allocator *allocator,
+                                              sf_directory **directory, sf_fault *fault);
+SF_API SF_CHECKED sf_status sf_directory_write(const char *path, const sf_allocator *allocator,
+                                               sf_directory **directory, sf_fault *fault);
+SF_API sf_folder sf_directory_folder(sf_directory *directory);
+SF_API SF_CHECKED sf_status sf_directory_commit(sf_directory *directory, sf_fault *fault);
+SF_API void sf_directory_close(sf_directory *directory);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Pictures of one slice: white is solid, the top row is the largest y.
+//
+// Two formats behind one pair of functions: PNG of one bit a pixel where libspng is there, PBM (P4)
+// everywhere. Rows are packed eight pixels a byte, the leftmost in the highest bit, in both.
+
+#ifndef SF_IO_PICTURE_H
+#define SF_IO_PICTURE_H
+
+#include <sf/io.h>
+
+#define SFI_PICTURE_ROW_BYTES ((SF_EXTENT_MAX + 7) / 8)
+
+typedef enum sfi_picture_kind { SFI_PICTURE_PBM = 0, SFI_PICTURE_PNG = 1 } sfi_picture_kind;
+
+sf_status sfi_picture_write(sfi_picture_kind kind, sf_slice slice, sf_sink sink);
+
+// Read a picture into a slice of its size; `check_only` reads its head and leaves the slice alone
+// (its words may be NULL). `name` is for the fault's sentence.
+sf_status sfi_picture_read(sfi_picture_kind kind, sf_source source, const sf_allocator *allocator,
+                           const char *name, sf_slice slice, int check_only, sf_fault *fault);
+
+// Row y of a slice as packed pixels, and back; `invert` where white is 0. Bits past the width are
+// 0.
+void sfi_picture_pack(sf_slice slice, uint32_t y, int invert, unsigned char *packed);
+void sfi_picture_unpack(sf_slice slice, uint32_t y, int invert, const unsigned char *packed);
+
+// A fault that begins with the picture's name.
+sf_status sfi_picture_fault(sf_fault *fault, sf_status status, const char *name,
+                            const char *sentence);
+
+// The two formats. The functions for PNG return SF_ERR_UNSUPPORTED in a build without libspng.
+sf_status sfi_pbm_write(sf_slice slice, sf_sink sink);
+sf_status sfi_pbm_read(sf_source source, const sf_allocator *allocator, const char *name,
+                       sf_slice slice, int check_only, sf_fault *fault);
+sf_status sfi_png_write(sf_slice slice, sf_sink sink);
+sf_status sfi_png_read(sf_source source, const sf_allocator *allocator, const char *name,
+                       sf_slice slice, int check_only, sf_fault *fault);
+
+#endif

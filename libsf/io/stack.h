@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Names and words that the writer and the reader of stacks share.
+
+#ifndef SF_IO_STACK_H
+#define SF_IO_STACK_H
+
+#include "io/picture.h"
+
+#define SFI_STACK_DOCUMENT "stack.json"
+#define SFI_STACK_FORMAT "libsf-stack"
+#define SFI_STACK_VERSION 1
+#define SFI_STACK_PATTERN_PNG "layer_%05u.png"
+#define SFI_STACK_PATTERN_PBM "layer_%05u.pbm"
+
+// Room for the name of any layer.
+#define SFI_STACK_NAME_SIZE 32
+
+void sfi_stack_layer_name(sfi_picture_kind kind, uint32_t layer, char name[SFI_STACK_NAME_SIZE]);
+
+// Whether a file of this name is part of a stack.
+int sfi_stack_owns(const char *name);
+
+// "box3", "octagon" or "disk"; NULL for a kind that there is not.
+const char *sfi_stack_rule_name(sf_rule_kind kind);
+
+// Report `done` layers of `total`.
+void sfi_stack_progress(sf_task *task, uint32_t done, uint32_t total);
+
+#endif
