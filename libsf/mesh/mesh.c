@@ -46,6 +46,27 @@ void sf_mesh_destroy(sf_mesh *mesh)
     }
 }
 
+sf_status sfi_mesh_make(const sf_allocator *allocator, size_t vertex_count, size_t triangle_count,
+                        sf_mesh **mesh, double **vertices, uint32_t **triangles)
+{
+    sf_mesh *made = NULL;
+    SF_TRY(sf_mesh_create(allocator, &made));
+    made->vertices = sfi_alloc_array(&made->allocator, vertex_count, 3 * sizeof(double));
+    made->vertex_capacity = made->vertices != NULL ? vertex_count : 0;
+    made->triangles = sfi_alloc_array(&made->allocator, triangle_count, 3 * sizeof(uint32_t));
+    made->triangle_capacity = made->triangles != NULL ? triangle_count : 0;
+    if (made->vertex_capacity < vertex_count || made->triangle_capacity < triangle_count) {
+        sf_mesh_destroy(made);
+        return SF_ERR_MEMORY;
+    }
+    made->vertex_count = vertex_count;
+    made->triangle_count = triangle_count;
+    *mesh = made;
+    *vertices = made->vertices;
+    *triangles = made->triangles;
+    return SF_OK;
+}
+
 sf_mesh_view sf_mesh_get_view(const sf_mesh *mesh)
 {
     sf_mesh_view view = {NULL, 0, NULL, 0};

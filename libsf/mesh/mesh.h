@@ -11,4 +11,9 @@
 sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, uint32_t *ids,
                              size_t *count);
 
+// A mesh of known size, whose arrays the caller then fills: with finite coordinates and indices
+// below vertex_count. Until it has, the mesh may only be destroyed.
+sf_status sfi_mesh_make(const sf_allocator *allocator, size_t vertex_count, size_t triangle_count,
+                        sf_mesh **mesh, double **vertices, uint32_t **triangles);
+
 #endif
