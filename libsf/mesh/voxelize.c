@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Voxels out of a mesh: slices one at a time, or a whole grid side by side.
 //
-// A skin (the snapped mesh) and buckets (its triangles by slab) are prepared once and then only
-// read. A window of rows is filled by collecting its crossings in a buffer of fixed size; when they
-// do not fit, the window is halved, down to a single row, whose crossings can be summed piecemeal.
-// So memory is bounded and nothing is allocated once the first voxel has been written.
+// A skin (the snapped mesh, mended) and buckets (its triangles by slab) are prepared once and then
+// only read. Lanes hold what changes, one for each piece that runs at the same time. Everything is
+// taken before the first voxel is written.
 //
 // Slices do not depend on each other, and all counts are integers: threads share the read-only part
 // and own a lane each, and the result is the same bytes however the work is divided.
@@ -162,37 +161,66 @@ static void fill_slab(void *context, size_t index)
     sfi_fill_layers(v, &r->lanes[index], k0, k1, &r->to);
 }
 
-static void clear_grid(sf_grid *grid, const sf_voxelizer *v)
+static void copy_layers(sf_grid *to, const sf_grid *from, uint32_t nz)
 {
-    for (uint32_t k = 0; k < v->frame.nz; k++) {
-        sf_slice slice = sf_grid_slice(grid, k);
-        for (uint32_t y = 0; y < v->frame.ny; y++) {
-            memset(slice.words + (size_t)y * slice.stride, 0, ((size_t)v->frame.nx + 63) / 64 * 8);
+    for (uint32_t k = 0; k < nz; k++) {
+        sf_slice target = sf_grid_slice(to, k), source = sf_grid_slice(from, k);
+        for (uint32_t y = 0; y < target.height; y++) {
+            memcpy(target.words + (size_t)y * target.stride,
+                   source.words + (size_t)y * source.stride, ((size_t)target.width + 63) / 64 * 8);
         }
     }
 }
 
-// Fill slab after slab. A cancel is heeded between rounds where an empty grid can be left behind.
-static sf_status fill_grid(const sf_voxelizer *v, sfi_fill_lane *lanes, uint32_t lane_count,
-                           sf_grid *grid, sf_task *task)
+static void clear_layers(sf_grid *grid, uint32_t nz)
 {
-    int was_empty = task != NULL && sf_grid_popcount(grid) == 0;
+    for (uint32_t k = 0; k < nz; k++) {
+        sf_slice slice = sf_grid_slice(grid, k);
+        for (uint32_t y = 0; y < slice.height; y++) {
+            memset(slice.words + (size_t)y * slice.stride, 0, ((size_t)slice.width + 63) / 64 * 8);
+        }
+    }
+}
+
+// Fill slab after slab, until the end or a cancel.
+static sf_status fill_slabs(const sf_voxelizer *v, sfi_fill_lane *lanes, uint32_t lane_count,
+                            sf_grid *grid, sf_task *task)
+{
     sfi_progress progress = sfi_progress_begin(task);
     round r = {v, lanes, {grid, {NULL, 0, 0, 0}}, 0};
-    if (sf_task_is_cancelled(task)) {
-        return SF_ERR_CANCELLED;
-    }
     while (r.first_slab < v->buckets.slab_count) {
         uint32_t left = v->buckets.slab_count - r.first_slab;
+        if (sf_task_is_cancelled(task)) {
+            return SF_ERR_CANCELLED;
+        }
         sfi_task_for(task, left < lane_count ? left : lane_count, fill_slab, &r);
         r.first_slab += left < lane_count ? left : lane_count;
         sfi_progress_report(&progress, r.first_slab, v->buckets.slab_count);
-        if (was_empty && sf_task_is_cancelled(task)) {
-            clear_grid(grid, v);
-            return SF_ERR_CANCELLED;
-        }
     }
     return SF_OK;
+}
+
+// A cancel must leave the grid as it was. An empty one is cleared again; one that holds something
+// is filled aside and copied when nothing can stop it any more. Without a task there is no cancel.
+static sf_status fill_grid(const sf_voxelizer *v, sfi_fill_lane *lanes, uint32_t lane_count,
+                           sf_grid *grid, sf_task *task)
+{
+    if (task == NULL || sf_grid_popcount(grid) == 0) {
+        sf_status status = fill_slabs(v, lanes, lane_count, grid, task);
+        if (status != SF_OK) {
+            clear_layers(grid, v->frame.nz);
+        }
+        return status;
+    }
+    sf_grid *aside = NULL;
+    sf_lattice lattice = sf_grid_lattice(grid);
+    SF_TRY(sf_grid_create(&lattice, &v->allocator, &aside));
+    sf_status status = fill_slabs(v, lanes, lane_count, aside, task);
+    if (status == SF_OK) {
+        copy_layers(grid, aside, v->frame.nz);
+    }
+    sf_grid_destroy(aside);
+    return status;
 }
 
 static sf_status fill_with_lanes(const sf_voxelizer *v, sf_grid *grid, sf_task *task,
