@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// One run of the program: how it fails, warns and tells the time.
+
+#include "job.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+exit_status job_fail(cli_job *job, exit_status status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(job->message, sizeof job->message, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+static exit_status exit_of(sf_status status, exit_status status_input)
+{
+    switch (status) {
+    case SF_ERR_CANCELLED:
+        return EXIT_CANCELLED;
+    case SF_ERR_MEMORY:
+    case SF_ERR_OVERFLOW:
+        return EXIT_RESOURCE;
+    default:
+        return status_input;
+    }
+}
+
+exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault, const char *subject,
+                          exit_status status_input)
+{
+    const char *why = fault != NULL && fault->status == status ? fault->message : "";
+    if (status == SF_ERR_CANCELLED) {
+        return job_fail(job, EXIT_CANCELLED, "Cancelled; nothing was changed.");
+    }
+    if (fault != NULL) {
+        job->fault = *fault;
+    }
+    job->fault.status = status;
+    return job_fail(job, exit_of(status, status_input), "%s: %s", subject,
+                    why[0] != '\0' ? why : sf_status_message(status));
+}
+
+void job_warn(cli_job *job, const char *format, ...)
+{
+    char line[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    report_warn(job->report, line);
+}
+
+double job_seconds(const cli_job *job)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - job->start.tv_sec) +
+           1e-9 * (double)(now.tv_nsec - job->start.tv_nsec);
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Does the part print without supports, and where not?
+
+#ifndef DEMO_SF_JUDGEMENT_H
+#define DEMO_SF_JUDGEMENT_H
+
+#include "part.h"
+
+typedef struct judgement {
+    sf_check_report counts;
+    sf_finding *findings;
+    size_t finding_count;
+} judgement;
+
+// Check the part's grid under its rule.
+exit_status judge(cli_job *job, const part *p, judgement *j);
+
+// Fields and sentences of a judgement.
+void judgement_report(cli_job *job, const part *p, const judgement *j);
+
+void judgement_release(judgement *j);
+
+#endif

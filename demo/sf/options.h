@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What the command line asks for.
+
+#ifndef DEMO_SF_OPTIONS_H
+#define DEMO_SF_OPTIONS_H
+
+#include <sf/sf.h>
+
+#include <stdio.h>
+
+// Directions that can point up from the bed.
+typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MINUS_Z } axis;
+
+// Options, one bit each: which ones a verb takes, and which ones were given.
+enum {
+    OPTION_OUTPUT = 1 << 0,
+    OPTION_PITCH = 1 << 1,
+    OPTION_RESOLUTION = 1 << 2,
+    OPTION_ANGLE = 1 << 3,
+    OPTION_RULE = 1 << 4,
+    OPTION_UP = 1 << 5,
+    OPTION_UNITS = 1 << 6,
+    OPTION_SCALE = 1 << 7,
+    OPTION_SIZE = 1 << 8,
+    OPTION_BED = 1 << 9,
+    OPTION_FILL = 1 << 10,
+    OPTION_THREADS = 1 << 11,
+    OPTION_JSON = 1 << 12,
+    OPTION_QUIET = 1 << 13,
+    OPTION_SMOOTH = 1 << 14,
+    OPTION_MEMORY = 1 << 15,
+    OPTION_VIEW = 1 << 16,
+    OPTION_PIXELS = 1 << 17
+};
+
+typedef struct options {
+    uint32_t given; // OPTION_* that were on the command line
+    const char *input;
+    const char *output;
+    double pitch_mm[3]; // x, y, layer
+    uint32_t resolution;
+    double angle_deg;
+    sf_rule_kind rule;
+    axis up;
+    double unit_mm; // millimetres in one unit of the input
+    double scale;
+    double size_mm;
+    double bed_mm;
+    sf_fill fill;
+    int threads;
+    int json;
+    int quiet;
+    int smooth;
+    double memory_mib;
+    double azimuth_deg, elevation_deg; // where the camera stands
+    uint32_t pixels[2];
+} options;
+
+// A verb of the program. The list ends with an entry whose name is NULL.
+typedef struct cli_verb {
+    const char *name;
+    const char *purpose;  // one line
+    const char *input;    // name of its argument, in the usage line
+    int input_optional;   // whether the argument may be left out
+    uint32_t takes;       // OPTION_*
+    const char *examples; // whole lines, each ended
+} cli_verb;
+
+// Fill `made` with defaults, then with the command line after the verb. Returns 0, or 1 when help
+// was asked for, or -1 with a sentence in `message`.
+int options_parse(const cli_verb *verb, int argc, char **argv, options *made, char *message,
+                  size_t message_size);
+
+// What --help prints for a verb.
+void options_help(const cli_verb *verb, FILE *to);
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Files that a verb writes.
+
+#include "output.h"
+
+#include "progress.h"
+
+#include <string.h>
+
+static const char *extension(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash != NULL ? slash : path, '.');
+    int leading = dot != NULL && (dot == path || dot[-1] == '/'); // ".", "..", ".hidden"
+    return dot != NULL && !leading && dot[1] != '\0' && dot[1] != '/' ? dot : "";
+}
+
+output_kind output_kind_of(const char *path)
+{
+    const char *dot = extension(path);
+    sf_mesh_format format = sf_mesh_format_from_name(path);
+    if (format != SF_MESH_FORMAT_AUTO) {
+        return format == SF_MESH_FORMAT_OFF ? OUTPUT_UNKNOWN : OUTPUT_MESH;
+    }
+    if (strcmp(dot, ".png") == 0) {
+        return OUTPUT_PICTURE;
+    }
+    return dot[0] == '\0' ? OUTPUT_STACK : OUTPUT_UNKNOWN;
+}
+
+exit_status output_check(cli_job *job, int mesh_allowed)
+{
+    const char *path = job->options.output;
+    if (path == NULL) {
+        return EXIT_GOOD;
+    }
+    output_kind kind = output_kind_of(path);
+    if (kind == OUTPUT_STACK || (kind == OUTPUT_MESH && mesh_allowed)) {
+        return EXIT_GOOD;
+    }
+    return job_fail(job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
+                    mesh_allowed ? "a mesh (.stl, .obj, .ply) or, for a name without extension, a "
+                                   "folder with a stack of pictures"
+                                 : "a folder with a stack of pictures; its name has no extension");
+}
+
+// ---------------------------------------------------------------------------------------------
+// Meshes
+// ---------------------------------------------------------------------------------------------
+
+// What smoothing did to support: voxelise what will be written, and look.
+static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *mesh)
+{
+    sf_grid *again = NULL;
+    sf_check_report counts;
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    progress_phase("checking the smoothed mesh");
+    sf_status status = sf_grid_create(&lattice, NULL, &again);
+    if (status == SF_OK) {
+        status = sf_grid_voxelize(again, sf_mesh_get_view(mesh), NULL, NULL, &job->task, NULL);
+    }
+    if (status == SF_OK) {
+        status = sf_grid_check(again, &p->rule, p->bed_layer, NULL, NULL, 0, &job->task, &counts);
+    }
+    sf_grid_destroy(again);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "the smoothed mesh", EXIT_RESOURCE);
+    }
+    report_begin(job->report, "smoothed");
+    report_count(job->report, "passes", (uint64_t)job->options.smooth);
+    report_count(job->report, "unsupported_voxels", counts.unsupported_voxels);
+    report_count(job->report, "trimmed_voxels", counts.trimmed_voxels);
+    report_flag(job->report, "support_free", counts.support_free);
+    report_end(job->report);
+    if (!counts.support_free) {
+        job_warn(job, "Smoothing made %llu voxels unsupported.",
+                 (unsigned long long)counts.unsupported_voxels);
+    }
+    return EXIT_GOOD;
+}
+
+static exit_status make_mesh(cli_job *job, const part *p, sf_mesh **mesh)
+{
+    sf_surface_options how = sf_surface_options_default();
+    how.smooth_passes = job->options.smooth;
+    progress_phase("making the mesh");
+    sf_status status = sf_grid_surface(p->grid, &how, NULL, &job->task, mesh);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "the mesh", EXIT_RESOURCE);
+    }
+    exit_status checked = EXIT_GOOD;
+    if (how.smooth_passes > 0) {
+        checked = report_smoothing(job, p, *mesh);
+    }
+    sf_transform back = part_to_input(job);
+    if (checked == EXIT_GOOD && sf_mesh_transform(*mesh, &back) != SF_OK) {
+        return job_fail(job, EXIT_RESOURCE, "The mesh could not be turned back.");
+    }
+    return checked;
+}
+
+exit_status output_save_mesh(cli_job *job, const part *p, const char *path)
+{
+    sf_mesh *mesh = NULL;
+    sf_save *save = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    exit_status made = make_mesh(job, p, &mesh);
+    if (made != EXIT_GOOD) {
+        sf_mesh_destroy(mesh);
+        return made;
+    }
+    progress_phase("writing the mesh");
+    sf_status status = sf_save_begin(path, NULL, &save, &fault);
+    if (status == SF_OK) {
+        status = sf_mesh_write(sf_mesh_get_view(mesh), sf_mesh_format_from_name(path),
+                               sf_save_sink(save));
+        if (status == SF_OK) {
+            status = sf_save_commit(save, &fault);
+        } else {
+            sf_save_abort(save);
+        }
+    }
+    sf_mesh_destroy(mesh);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Stacks
+// ---------------------------------------------------------------------------------------------
+
+static sf_stack_info stack_info(const cli_job *job, const part *p)
+{
+    sf_stack_info info;
+    memset(&info, 0, sizeof info);
+    info.has_rule = p->has_rule;
+    info.rule = p->rule.kind;
+    info.angle_rad = job->options.angle_deg * (3.14159265358979323846 / 180);
+    info.bed_layer = p->bed_layer;
+    return info;
+}
+
+exit_status output_save_stack(cli_job *job, const part *p, const char *path)
+{
+    sf_directory *directory = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_stack_info info = stack_info(job, p);
+    progress_phase("writing the stack");
+    sf_status status = sf_directory_write(path, NULL, &directory, &fault);
+    if (status == SF_OK) {
+        status = sf_stack_write(p->grid, &info, sf_directory_folder(directory), &job->task, &fault);
+        if (status == SF_OK) {
+            status = sf_directory_commit(directory, &fault);
+        } else {
+            sf_directory_close(directory);
+        }
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
+exit_status output_save(cli_job *job, const part *p, const char *path)
+{
+    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, path)
+                                               : output_save_stack(job, p, path);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Pictures and reports
+// ---------------------------------------------------------------------------------------------
+
+exit_status output_save_picture(cli_job *job, const canvas *picture, const char *path)
+{
+    sf_save *save = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_save_begin(path, NULL, &save, &fault);
+    if (status == SF_OK) {
+        status =
+            sf_png_write_rgb(picture->pixels, picture->width, picture->height, sf_save_sink(save));
+        if (status == SF_OK) {
+            status = sf_save_commit(save, &fault);
+        } else {
+            sf_save_abort(save);
+        }
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
+exit_status output_save_report(cli_job *job, const char *path)
+{
+    sf_save *save = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_save_begin(path, NULL, &save, &fault);
+    if (status == SF_OK) {
+        status = report_print_json(job->report, sf_save_sink(save));
+        if (status == SF_OK) {
+            status = sf_save_commit(save, &fault);
+        } else {
+            sf_save_abort(save);
+        }
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}

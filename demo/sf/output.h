@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Files that a verb writes: a mesh, a folder with a stack, a picture, a report. Each appears whole
+// or not at all.
+
+#ifndef DEMO_SF_OUTPUT_H
+#define DEMO_SF_OUTPUT_H
+
+#include "canvas.h"
+#include "part.h"
+
+// What the name of an output asks for.
+typedef enum output_kind { OUTPUT_MESH, OUTPUT_STACK, OUTPUT_PICTURE, OUTPUT_UNKNOWN } output_kind;
+
+// Judge by the name: .stl, .obj, .ply; .png; a folder has no extension.
+output_kind output_kind_of(const char *path);
+
+// Refuse, before any work is done, an -o that a verb cannot write.
+exit_status output_check(cli_job *job, int mesh_allowed);
+
+// Write the surface of the part's grid, in the axes of the input, or its slices.
+exit_status output_save_mesh(cli_job *job, const part *p, const char *path);
+exit_status output_save_stack(cli_job *job, const part *p, const char *path);
+
+// The one of the two that the name asks for.
+exit_status output_save(cli_job *job, const part *p, const char *path);
+
+exit_status output_save_picture(cli_job *job, const canvas *picture, const char *path);
+exit_status output_save_report(cli_job *job, const char *path);
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// The part that a verb works on: read, turned upright, sized, and put on a lattice.
+
+#include "part.h"
+
+#include "lattice.h"
+#include "progress.h"
+#include "scene.h"
+#include "upright.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define SCENE_PREFIX "scene:"
+
+// Options that say how a mesh is to be understood; nothing else has a use for them.
+#define MESH_ONLY (OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL)
+
+// ---------------------------------------------------------------------------------------------
+// Reading
+// ---------------------------------------------------------------------------------------------
+
+static exit_status refuse_options(cli_job *job, uint32_t useless, const char *what)
+{
+    if ((job->options.given & useless) == 0) {
+        return EXIT_GOOD;
+    }
+    return job_fail(job, EXIT_USAGE,
+                    "%s has its own size and axes: leave out --up, --units, --scale, --size, "
+                    "--fill%s.",
+                    what, useless & OPTION_PITCH ? ", --pitch and --resolution" : "");
+}
+
+static exit_status read_mesh_file(cli_job *job, part *p)
+{
+    const char *path = job->options.input;
+    sf_file *file = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_file_open(path, NULL, &file, &fault);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, &fault, path, EXIT_INPUT);
+    }
+    progress_phase("reading");
+    status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL,
+                          &p->mesh, &fault);
+    sf_file_close(file);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_INPUT);
+}
+
+static double longest_side(sf_mesh_view view, double low[3], double high[3])
+{
+    double longest = 0;
+    if (sf_mesh_bounds(view, low, high) == SF_OK) {
+        for (int i = 0; i < 3; i++) {
+            longest = fmax(longest, high[i] - low[i]);
+        }
+    }
+    return longest;
+}
+
+// Turn upright, and to millimetres of the asked size.
+static exit_status place(cli_job *job, part *p)
+{
+    const options *asked = &job->options;
+    double low[3], high[3], factor = asked->unit_mm * asked->scale;
+    double longest = longest_side(sf_mesh_get_view(p->mesh), low, high);
+    if (!(longest > 0) || !isfinite(longest)) {
+        return job_fail(job, EXIT_INPUT, "%s: The part has no extent; there is nothing to print.",
+                        asked->input);
+    }
+    if (asked->given & OPTION_SIZE) {
+        factor = asked->size_mm / longest;
+    }
+    sf_transform to_build = upright(asked->up, factor);
+    sf_status status = sf_mesh_transform(p->mesh, &to_build);
+    longest *= factor;
+    if (status != SF_OK || !isfinite(longest) || !(longest > 0)) {
+        return job_fail(job, EXIT_USAGE,
+                        "%s: With this --units, --scale or --size the part is "
+                        "%g mm long; coordinates must stay finite.",
+                        asked->input, longest);
+    }
+    if ((asked->given & (OPTION_UNITS | OPTION_SCALE | OPTION_SIZE)) == 0 &&
+        (longest < 5 || longest > 1000)) {
+        job_warn(job,
+                 "The part is %.4g mm long, taking its unit for mm; if it is meant larger or "
+                 "smaller, say --units, --scale or --size.",
+                 longest);
+    }
+    return EXIT_GOOD;
+}
+
+static exit_status read_mesh(cli_job *job, part *p)
+{
+    p->kind = PART_MESH;
+    exit_status status = read_mesh_file(job, p);
+    return status == EXIT_GOOD ? place(job, p) : status;
+}
+
+// A stack carries its lattice, and the rule and the bed that it was made for.
+static exit_status read_stack(cli_job *job, part *p)
+{
+    options *asked = &job->options;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_directory *directory = NULL;
+    sf_stack_info info;
+    p->kind = PART_STACK;
+    exit_status refused =
+        refuse_options(job, MESH_ONLY | OPTION_PITCH | OPTION_RESOLUTION, "A stack of pictures");
+    if (refused != EXIT_GOOD) {
+        return refused;
+    }
+    progress_phase("reading");
+    sf_status status = sf_directory_read(asked->input, NULL, &directory, &fault);
+    if (status == SF_OK) {
+        status = sf_stack_read(sf_directory_folder(directory), NULL, &job->task, &p->grid, &info,
+                               &fault);
+        sf_directory_close(directory);
+    }
+    if (status != SF_OK) {
+        return job_fail_call(job, status, &fault, asked->input, EXIT_INPUT);
+    }
+    if (info.has_rule) {
+        p->bed_layer = info.bed_layer;
+        if ((asked->given & (OPTION_RULE | OPTION_ANGLE)) == 0) {
+            asked->rule = info.rule;
+            asked->angle_deg = info.angle_rad * (180 / 3.14159265358979323846);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+static exit_status read_scene(cli_job *job, part *p)
+{
+    const options *asked = &job->options;
+    const char *name = asked->input == NULL ? "garden" : asked->input + strlen(SCENE_PREFIX);
+    double size_mm[3];
+    sf_lattice lattice;
+    p->kind = PART_SCENE;
+    exit_status status = refuse_options(job, MESH_ONLY, "A scene");
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    if (!scene_size(name, size_mm)) {
+        return job_fail(job, EXIT_INPUT, "There is no scene '%s'; there is scene:garden.", name);
+    }
+    double low[3] = {0, 0, 0};
+    status = lattice_choose(job, low, size_mm, &lattice, &p->lift);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    progress_phase("drawing the scene");
+    sf_status made = sf_grid_create(&lattice, NULL, &p->grid);
+    if (made == SF_OK) {
+        made = scene_draw(name, p->grid, &job->task);
+    }
+    return made == SF_OK ? EXIT_GOOD : job_fail_call(job, made, NULL, name, EXIT_RESOURCE);
+}
+
+exit_status part_read(cli_job *job, part *p)
+{
+    const char *input = job->options.input;
+    struct stat entry;
+    memset(p, 0, sizeof *p);
+    p->bed_layer = SF_BED_AUTO;
+    if (input == NULL || strncmp(input, SCENE_PREFIX, strlen(SCENE_PREFIX)) == 0) {
+        return read_scene(job, p);
+    }
+    if (stat(input, &entry) == 0 && S_ISDIR(entry.st_mode)) {
+        return read_stack(job, p);
+    }
+    return read_mesh(job, p);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Voxels
+// ---------------------------------------------------------------------------------------------
+
+static exit_status fill(cli_job *job, part *p)
+{
+    sf_voxelize_options how = sf_voxelize_options_default();
+    sf_voxelize_report done;
+    how.fill = job->options.fill;
+    progress_phase("turning into voxels");
+    sf_status status =
+        sf_grid_voxelize(p->grid, sf_mesh_get_view(p->mesh), &how, NULL, &job->task, &done);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, job->options.input, EXIT_INPUT);
+    }
+    if (done.solid_voxels == 0) {
+        return job_fail(job, EXIT_INPUT,
+                        "%s: No voxel has its centre inside the part: it is too thin, or has no "
+                        "inside; try a finer --pitch, or --fill surface.",
+                        job->options.input);
+    }
+    if (done.boundary_edges > 0) {
+        job_warn(job,
+                 "The mesh is not closed (%llu open edges); what is inside was judged by "
+                 "winding numbers.",
+                 (unsigned long long)done.boundary_edges);
+    }
+    if (done.flipped) {
+        job_warn(job, "The mesh is inside out; it was turned.");
+    }
+    return EXIT_GOOD;
+}
+
+exit_status part_voxelize(cli_job *job, part *p)
+{
+    double low[3], high[3];
+    sf_lattice lattice;
+    if (p->grid != NULL) {
+        return EXIT_GOOD;
+    }
+    longest_side(sf_mesh_get_view(p->mesh), low, high);
+    exit_status status = lattice_choose(job, low, high, &lattice, &p->lift);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    sf_status made = sf_grid_create(&lattice, NULL, &p->grid);
+    if (made != SF_OK) {
+        return job_fail_call(job, made, NULL, "the grid", EXIT_RESOURCE);
+    }
+    return fill(job, p);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Rule and bed
+// ---------------------------------------------------------------------------------------------
+
+static exit_status choose_bed(cli_job *job, part *p, const sf_lattice *lattice)
+{
+    double bed_mm = job->options.bed_mm;
+    uint32_t k = 0;
+    if ((job->options.given & OPTION_BED) == 0) {
+        return EXIT_GOOD;
+    }
+    while (k < lattice->nz && sf_lattice_layer_bottom(lattice, k + 1) <=
+                                  bed_mm + 1e-6 * sf_lattice_layer_height(lattice, k)) {
+        k++;
+    }
+    if (k == lattice->nz) {
+        return job_fail(job, EXIT_USAGE, "--bed %g lies above the part, which ends at %g mm.",
+                        bed_mm, sf_lattice_layer_bottom(lattice, lattice->nz));
+    }
+    p->bed_layer = k;
+    return EXIT_GOOD;
+}
+
+exit_status part_make_rule(cli_job *job, part *p)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    size_t count = sf_rule_table_count(&lattice);
+    double angle_rad = job->options.angle_deg * (3.14159265358979323846 / 180);
+    if (count > 0) {
+        p->table = malloc(count * sizeof *p->table);
+        if (p->table == NULL) {
+            return job_fail(job, EXIT_RESOURCE, "There is no memory for the rule's table.");
+        }
+    }
+    sf_status status =
+        sf_rule_make(job->options.rule, angle_rad, &lattice, p->table, &p->rule, &fault);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, &fault, sf_rule_kind_name(job->options.rule), EXIT_USAGE);
+    }
+    p->has_rule = 1;
+    return choose_bed(job, p, &lattice);
+}
+
+sf_transform part_to_input(const cli_job *job)
+{
+    return upright_back(job->options.up);
+}
+
+void part_release(part *p)
+{
+    sf_mesh_destroy(p->mesh);
+    sf_grid_destroy(p->grid);
+    free(p->table);
+    memset(p, 0, sizeof *p);
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The part that a verb works on: read, turned upright, sized, and put on a lattice.
+
+#ifndef DEMO_SF_PART_H
+#define DEMO_SF_PART_H
+
+#include "job.h"
+
+#include <sf/io.h>
+
+// Where a part came from.
+typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE } part_kind;
+
+typedef struct part {
+    part_kind kind;
+    sf_mesh *mesh; // in build axes (z up) and mm; NULL unless read from a mesh
+    sf_grid *grid; // NULL until part_voxelize()
+    int has_rule;  // whether part_make_rule() was called
+    sf_rule rule;
+    uint64_t *table;    // the rule's numbers
+    uint32_t bed_layer; // SF_BED_AUTO unless --bed was given or the stack names one
+    uint32_t lift;      // layers that were added below the part to reach the bed
+} part;
+
+// Read the input, whatever it is. A stack or a scene has its grid afterwards, a mesh has none.
+exit_status part_read(cli_job *job, part *p);
+
+// Choose a lattice and fill a grid; nothing to do for a stack or a scene.
+exit_status part_voxelize(cli_job *job, part *p);
+
+// The rule that was asked for, on the part's lattice, and the bed.
+exit_status part_make_rule(cli_job *job, part *p);
+
+// Map from build axes back to the axes of the input.
+sf_transform part_to_input(const cli_job *job);
+
+void part_release(part *p);
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// A picture of a shape: what prints, what does not, and how large it is.
+//
+// Four rays a pixel, each marched to the first voxel, shaded by its smoothed normal, darkened in
+// cracks, and marched once more towards the light for a shadow. Seen from above, the shape stands
+// on a bed with lines at round distances; seen from below there is no bed, because it would hide
+// what one wants to see. Bands of rows are drawn side by side; no pixel depends on another.
+
+#include "picture.h"
+
+#include "camera.h"
+#include "legend.h"
+#include "progress.h"
+#include "volume.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SUBPIXELS = 2, BAND = 8 };
+
+static const double kept_colour[3] = {0.80, 0.84, 0.88};
+static const double lost_colour[3] = {0.93, 0.33, 0.16};
+static const double bed_colour[3] = {0.95, 0.955, 0.96};
+static const double line_colour[3] = {0.84, 0.85, 0.87};
+
+typedef struct view {
+    volume volume;
+    const sf_grid *kept;
+    camera camera;
+    double light[3]; // unit vector towards the light
+    double bed_mm;   // height of the bed; drawn where has_bed
+    double bed_low[2], bed_high[2];
+    double line_mm; // distance of the lines on the bed
+    int has_bed;
+    canvas *picture;
+    uint32_t view_height; // rows of the picture above the legend
+    uint32_t first_row;
+} view;
+
+// ---------------------------------------------------------------------------------------------
+// Light
+// ---------------------------------------------------------------------------------------------
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static int in_shadow(const view *w, const double at[3])
+{
+    hit blocked;
+    return volume_march(&w->volume, at, w->light, &blocked);
+}
+
+static void shade_matter(const view *w, const double start[3], hit *h, double rgb[3])
+{
+    double at[3], step = 2.5 * w->volume.lattice.pitch_x_mm;
+    volume_look_around(&w->volume, h);
+    for (int i = 0; i < 3; i++) {
+        at[i] = start[i] + h->t * w->camera.forward[i] + step * h->normal[i];
+    }
+    int lost = !sf_slice_get(sf_grid_slice(w->kept, h->z), h->x, h->y);
+    double facing = dot(h->normal, w->light);
+    double direct = facing > 0 && !in_shadow(w, at) ? facing : 0;
+    double ambient = 0.38 + 0.12 * h->normal[2];
+    double open = fmin(1, 0.35 + 1.3 * h->openness);
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = (lost ? lost_colour : kept_colour)[i] * (ambient * open + 0.62 * direct);
+    }
+}
+
+static int near_line(double along, double line_mm, double half_mm)
+{
+    return fabs(along - floor(along / line_mm + 0.5) * line_mm) < half_mm;
+}
+
+// The bed, where the ray meets it before it meets nothing.
+static int shade_bed(const view *w, const double start[3], double rgb[3])
+{
+    double t = (w->bed_mm - start[2]) / w->camera.forward[2], at[3];
+    for (int i = 0; i < 3; i++) {
+        at[i] = start[i] + t * w->camera.forward[i];
+    }
+    if (at[0] < w->bed_low[0] || at[0] > w->bed_high[0] || at[1] < w->bed_low[1] ||
+        at[1] > w->bed_high[1]) {
+        return 0;
+    }
+    double half = 0.7 * w->camera.pixel_mm;
+    int line = near_line(at[0], w->line_mm, half) || near_line(at[1], w->line_mm, half);
+    double shadow = in_shadow(w, at) ? 0.78 : 1;
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = shadow * (line ? line_colour : bed_colour)[i];
+    }
+    return 1;
+}
+
+static void shade(const view *w, double x, double y, double rgb[3])
+{
+    double start[3];
+    hit h;
+    camera_start(&w->camera, x, y, start);
+    if (volume_march(&w->volume, start, w->camera.forward, &h)) {
+        shade_matter(w, start, &h, rgb);
+    } else if (!w->has_bed || !shade_bed(w, start, rgb)) {
+        rgb[0] = rgb[1] = rgb[2] = 1;
+    }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Pixels
+// ---------------------------------------------------------------------------------------------
+
+static void draw_pixel(const view *w, uint32_t column, uint32_t row)
+{
+    double sum[3] = {0, 0, 0}, rgb[3];
+    for (int i = 0; i < SUBPIXELS * SUBPIXELS; i++) {
+        double dx = (i % SUBPIXELS + 0.5) / SUBPIXELS, dy = (i / SUBPIXELS + 0.5) / SUBPIXELS;
+        shade(w, column + dx - 0.5 * w->picture->width, 0.5 * w->view_height - row - dy, rgb);
+        for (int c = 0; c < 3; c++) {
+            sum[c] += fmin(rgb[c], 1);
+        }
+    }
+    uint8_t *pixel = w->picture->pixels + 3 * ((size_t)row * w->picture->width + column);
+    for (int c = 0; c < 3; c++) {
+        pixel[c] = (uint8_t)(255 * sum[c] / (SUBPIXELS * SUBPIXELS) + 0.5);
+    }
+}
+
+static void draw_row(void *context, size_t index)
+{
+    const view *w = context;
+    uint32_t row = w->first_row + (uint32_t)index;
+    for (uint32_t column = 0; column < w->picture->width; column++) {
+        draw_pixel(w, column, row);
+    }
+}
+
+static sf_status draw_rows(view *w, sf_task *task)
+{
+    while (w->first_row < w->view_height) {
+        uint32_t left = w->view_height - w->first_row;
+        size_t count = left < BAND ? left : BAND;
+        if (sf_task_is_cancelled(task)) {
+            return SF_ERR_CANCELLED;
+        }
+        if (task->parallel_for != NULL) {
+            task->parallel_for(task->user, count, draw_row, w);
+        } else {
+            for (size_t i = 0; i < count; i++) {
+                draw_row(w, i);
+            }
+        }
+        w->first_row += (uint32_t)count;
+        if (task->progress != NULL) {
+            task->progress(task->user, (double)w->first_row / w->view_height);
+        }
+    }
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Set-up
+// ---------------------------------------------------------------------------------------------
+
+static void corners(const sf_lattice *l, const sf_box *b, double low[3], double high[3])
+{
+    low[0] = l->origin_mm[0] + b->x0 * l->pitch_x_mm;
+    high[0] = l->origin_mm[0] + b->x1 * l->pitch_x_mm;
+    low[1] = l->origin_mm[1] + b->y0 * l->pitch_y_mm;
+    high[1] = l->origin_mm[1] + b->y1 * l->pitch_y_mm;
+    low[2] = sf_lattice_layer_bottom(l, b->z0);
+    high[2] = sf_lattice_layer_bottom(l, b->z1);
+}
+
+static void lay_bed(view *w, double low[3], double high[3])
+{
+    double margin = 0.08 * fmax(high[0] - low[0], high[1] - low[1]);
+    w->bed_mm = low[2];
+    w->has_bed = w->camera.forward[2] < -0.02;
+    for (int i = 0; i < 2; i++) {
+        low[i] -= margin;
+        high[i] += margin;
+        w->bed_low[i] = low[i];
+        w->bed_high[i] = high[i];
+    }
+    w->line_mm = legend_round_length(fmax(high[0] - low[0], high[1] - low[1]) / 8);
+}
+
+static void set_light(view *w)
+{
+    double length = 0;
+    for (int i = 0; i < 3; i++) {
+        w->light[i] =
+            -0.5 * w->camera.right[i] + 0.62 * w->camera.up[i] - 0.6 * w->camera.forward[i];
+        length += w->light[i] * w->light[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        w->light[i] /= sqrt(length);
+    }
+}
+
+static void set_up(view *w, const options *asked, const sf_grid *shape)
+{
+    sf_box bounds = sf_grid_bounds(shape);
+    double low[3], high[3];
+    corners(&w->volume.lattice, &bounds, low, high);
+    w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, 1, 1);
+    lay_bed(w, low, high);
+    w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, w->picture->width,
+                            w->view_height);
+    set_light(w);
+}
+
+exit_status picture_draw(cli_job *job, const sf_grid *shape, const sf_grid *kept, canvas *picture,
+                         double *bar_mm)
+{
+    const options *asked = &job->options;
+    view w;
+    memset(&w, 0, sizeof w);
+    if (!canvas_create(picture, asked->pixels[0], asked->pixels[1])) {
+        return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
+    }
+    w.kept = kept;
+    w.picture = picture;
+    w.view_height = asked->pixels[1] - legend_height(asked->pixels[1]);
+    if (!volume_create(&w.volume, shape)) {
+        return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
+    }
+    progress_phase("drawing");
+    set_up(&w, asked, shape);
+    sf_status status = draw_rows(&w, &job->task);
+    volume_destroy(&w.volume);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "the picture", EXIT_RESOURCE);
+    }
+    *bar_mm = legend_draw(picture, w.camera.pixel_mm, shape != kept, kept_colour, lost_colour);
+    return EXIT_GOOD;
+}

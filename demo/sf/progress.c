@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A progress bar on a terminal, and Ctrl-C.
+//
+// A bar shows itself only for work that lasts longer than half a second, is drawn at most ten times
+// a second, and is wiped when its phase ends, so that what remains on the terminal is the report.
+// The state is one static object, because a signal handler can be handed nothing.
+
+#include "progress.h"
+
+#include "pool.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { BAR_WIDTH = 30 };
+
+static struct {
+    sf_task *task;
+    pool *pool;
+    int visible; // whether standard error is a terminal that may be drawn on
+    int drawn;   // whether a bar stands there
+    const char *phase;
+    double begun, last; // seconds
+} state;
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void wipe(void)
+{
+    if (state.drawn) {
+        fputs("\r\033[K", stderr);
+        fflush(stderr);
+        state.drawn = 0;
+    }
+}
+
+static void draw(void *user, double fraction)
+{
+    double now = seconds(), elapsed = now - state.begun;
+    (void)user;
+    if (!state.visible || elapsed < 0.5 || now - state.last < 0.1) {
+        return;
+    }
+    char bar[BAR_WIDTH + 1];
+    int full = (int)(fraction * BAR_WIDTH);
+    for (int i = 0; i < BAR_WIDTH; i++) {
+        bar[i] = i < full ? '#' : '.';
+    }
+    bar[BAR_WIDTH] = '\0';
+    fprintf(stderr, "\r\033[K%s [%s] %3d %%", state.phase, bar, (int)(100 * fraction));
+    if (fraction > 0.02 && elapsed > 2) {
+        fprintf(stderr, ", %.0f s left", elapsed * (1 - fraction) / fraction);
+    }
+    fflush(stderr);
+    state.last = now;
+    state.drawn = 1;
+}
+
+static void side_by_side(void *user, size_t count, sf_task_body body, void *context)
+{
+    (void)user;
+    pool_for(state.pool, count, body, context);
+}
+
+static void interrupted(int number)
+{
+    signal(number, SIG_DFL); // the second one ends the program
+    sf_task_cancel(state.task);
+}
+
+void progress_attach(sf_task *task, int quiet, int threads)
+{
+    memset(&state, 0, sizeof state);
+    state.task = task;
+    state.visible = !quiet && isatty(2);
+    state.phase = "";
+    task->progress = draw;
+    state.pool = pool_create(threads);
+    if (state.pool != NULL) {
+        task->parallel_for = side_by_side;
+    }
+    signal(SIGINT, interrupted);
+}
+
+void progress_phase(const char *name)
+{
+    wipe();
+    state.phase = name;
+    state.begun = seconds();
+    state.last = 0;
+}
+
+void progress_end(void)
+{
+    wipe();
+    pool_destroy(state.pool);
+    state.pool = NULL;
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// sf info: what a mesh is.
+
+#include "part.h"
+#include "progress.h"
+#include "verbs.h"
+
+static void report_fields(report *r, const char *input, const sf_mesh_view *mesh,
+                          const sf_topology *t, const sf_mass *m, const double bounds[6])
+{
+    report_text(r, "verb", "info");
+    report_text(r, "input", input);
+    report_count(r, "triangles", mesh->triangle_count);
+    report_count(r, "vertices", t->vertex_count);
+    report_flag(r, "closed", t->closed);
+    report_count(r, "boundary_edges", t->boundary_edges);
+    report_count(r, "nonmanifold_edges", t->nonmanifold_edges);
+    report_count(r, "misoriented_edges", t->misoriented_edges);
+    report_count(r, "degenerate_triangles", t->degenerate_triangles);
+    report_count(r, "shells", t->shells);
+    report_count(r, "flipped_shells", t->flipped_shells);
+    report_flag(r, "oriented", t->oriented);
+    report_flag(r, "flipped", t->flipped);
+    report_number(r, "volume_mm3", m->volume_mm3);
+    report_number(r, "area_mm2", m->area_mm2);
+    report_numbers(r, "com_mm", m->com_mm, 3);
+    report_numbers(r, "inertia_mm5", m->inertia_mm5, 6);
+    report_begin(r, "bounds_mm");
+    report_numbers(r, "low", bounds, 3);
+    report_numbers(r, "high", bounds + 3, 3);
+    report_end(r);
+}
+
+static void say(report *r, const char *input, const sf_mesh_view *mesh, const sf_topology *t,
+                const sf_mass *m, const double bounds[6])
+{
+    report_say(r, "%s: %zu triangles, %zu vertices, %zu shell%s", input, mesh->triangle_count,
+               t->vertex_count, t->shells, t->shells == 1 ? "" : "s");
+    report_say(r, "size            %.6g x %.6g x %.6g mm", bounds[3] - bounds[0],
+               bounds[4] - bounds[1], bounds[5] - bounds[2]);
+    report_say(r, "from            (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm", bounds[0],
+               bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+    report_say(r, "volume          %.8g mm3%s", m->volume_mm3,
+               t->closed ? "" : " (not closed: as if holes were filled from the middle)");
+    report_say(r, "area            %.8g mm2", m->area_mm2);
+    report_say(r, "centre of mass  (%.6g, %.6g, %.6g) mm", m->com_mm[0], m->com_mm[1],
+               m->com_mm[2]);
+    if (t->closed && t->oriented && !t->flipped) {
+        report_say(r, "The surface is closed and faces outwards.");
+    } else if (t->closed && t->oriented) {
+        report_say(r, "The surface is closed, but inside out.");
+    } else if (t->closed) {
+        report_say(r,
+                   "The surface is closed, but %zu edges join triangles that face opposite ways.",
+                   t->misoriented_edges);
+    } else {
+        report_say(r, "The surface is not closed: %zu edges have one triangle only.",
+                   t->boundary_edges);
+    }
+    if (t->nonmanifold_edges > 0) {
+        report_say(r, "%zu edges have more than two triangles.", t->nonmanifold_edges);
+    }
+    if (t->degenerate_triangles > 0) {
+        report_say(r, "%zu triangles have two equal corners.", t->degenerate_triangles);
+    }
+}
+
+static exit_status examine(cli_job *job, const part *p)
+{
+    sf_mesh_view mesh = sf_mesh_get_view(p->mesh);
+    sf_topology topology;
+    sf_mass mass;
+    double bounds[6];
+    progress_phase("examining");
+    sf_status status = sf_mesh_analyze(mesh, NULL, &topology);
+    if (status == SF_OK) {
+        status = sf_mesh_measure(mesh, &mass);
+    }
+    if (status == SF_OK) {
+        status = sf_mesh_bounds(mesh, bounds, bounds + 3);
+    }
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, job->options.input, EXIT_INPUT);
+    }
+    report_fields(job->report, job->options.input, &mesh, &topology, &mass, bounds);
+    say(job->report, job->options.input, &mesh, &topology, &mass, bounds);
+    return EXIT_GOOD;
+}
+
+exit_status verb_info(cli_job *job)
+{
+    part p;
+    exit_status status = part_read(job, &p);
+    if (status == EXIT_GOOD && p.kind != PART_MESH) {
+        status = job_fail(job, EXIT_INPUT, "%s is no mesh; 'sf check' describes stacks and scenes.",
+                          job->options.input);
+    }
+    if (status == EXIT_GOOD) {
+        status = examine(job, &p);
+    }
+    part_release(&p);
+    return status;
+}

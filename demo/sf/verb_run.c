@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// sf run: the main job. Check a part, make it printable, write everything to a folder, and say in
+// ten lines what was found and where it lies.
+
+#include "describe.h"
+#include "judgement.h"
+#include "output.h"
+#include "picture.h"
+#include "trimming.h"
+#include "verbs.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { PATH_SIZE = 4096 };
+
+static exit_status make_folder(cli_job *job, const char *folder)
+{
+    struct stat entry;
+#ifdef _WIN32
+    int made = mkdir(folder);
+#else
+    int made = mkdir(folder, 0777);
+#endif
+    if (made == 0 || (stat(folder, &entry) == 0 && S_ISDIR(entry.st_mode))) {
+        return EXIT_GOOD;
+    }
+    return job_fail(job, EXIT_RESOURCE, "%s: The folder could not be made: %s.", folder,
+                    strerror(errno));
+}
+
+static exit_status join(cli_job *job, const char *name, char path[PATH_SIZE])
+{
+    int length = snprintf(path, PATH_SIZE, "%s/%s", job->options.output, name);
+    return length < PATH_SIZE ? EXIT_GOOD : job_fail(job, EXIT_USAGE, "-o: The path is too long.");
+}
+
+static exit_status save_picture(cli_job *job, const sf_grid *shape, const sf_grid *kept,
+                                const char *name)
+{
+    canvas picture = {NULL, 0, 0};
+    char path[PATH_SIZE];
+    double bar_mm;
+    if (!sf_stack_has_png()) {
+        return EXIT_GOOD;
+    }
+    exit_status status = join(job, name, path);
+    if (status == EXIT_GOOD) {
+        status = picture_draw(job, shape, kept, &picture, &bar_mm);
+    }
+    if (status == EXIT_GOOD) {
+        status = output_save_picture(job, &picture, path);
+    }
+    canvas_destroy(&picture);
+    return status;
+}
+
+// The picture before shows what the trim took away, so it needs both grids.
+static exit_status save_pictures(cli_job *job, const sf_grid *before, const sf_grid *after)
+{
+    exit_status status = save_picture(job, before, after, "before.png");
+    return status == EXIT_GOOD ? save_picture(job, after, after, "after.png") : status;
+}
+
+static exit_status save_results(cli_job *job, const part *p)
+{
+    char path[PATH_SIZE];
+    exit_status status = join(job, "printable.stl", path);
+    if (status == EXIT_GOOD) {
+        status = output_save_mesh(job, p, path);
+    }
+    if (status == EXIT_GOOD) {
+        status = join(job, "layers", path);
+    }
+    return status == EXIT_GOOD ? output_save_stack(job, p, path) : status;
+}
+
+static exit_status save_report(cli_job *job)
+{
+    char path[PATH_SIZE];
+    report *r = job->report;
+    const char *folder = job->options.output;
+    report_number(r, "seconds", job_seconds(job));
+    report_text(r, "output", folder);
+    report_say(r, "%s/printable.stl   the shape that prints", folder);
+    report_say(r, "%s/layers/         its layers, a picture each", folder);
+    if (sf_stack_has_png()) {
+        report_say(r, "%s/before.png      the part, what cannot print in red", folder);
+        report_say(r, "%s/after.png       what is left", folder);
+    } else {
+        job_warn(job, "No pictures were drawn: this build was made without PNG.");
+    }
+    report_say(r, "%s/report.json     all figures", folder);
+    exit_status status = join(job, "report.json", path);
+    return status == EXIT_GOOD ? output_save_report(job, path) : status;
+}
+
+static exit_status trim_and_save(cli_job *job, part *p)
+{
+    sf_grid *before = NULL;
+    sf_check_report after;
+    sf_status cloned = sf_grid_clone(p->grid, NULL, &before);
+    if (cloned != SF_OK) {
+        return job_fail_call(job, cloned, NULL, "a second grid", EXIT_RESOURCE);
+    }
+    exit_status status = trim_part(job, p, &after);
+    if (status == EXIT_GOOD) {
+        status = make_folder(job, job->options.output);
+    }
+    if (status == EXIT_GOOD) {
+        status = save_results(job, p);
+    }
+    if (status == EXIT_GOOD) {
+        status = save_pictures(job, before, p->grid);
+    }
+    sf_grid_destroy(before);
+    if (status == EXIT_GOOD) {
+        status = save_report(job);
+    }
+    return status == EXIT_GOOD && !after.support_free ? EXIT_PROPERTY : status;
+}
+
+static exit_status run(cli_job *job, part *p)
+{
+    judgement j;
+    exit_status status = part_voxelize(job, p);
+    if (status == EXIT_GOOD) {
+        status = part_make_rule(job, p);
+    }
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    describe_part(job, p, "run");
+    status = judge(job, p, &j);
+    if (status == EXIT_GOOD) {
+        judgement_report(job, p, &j);
+        status = trim_and_save(job, p);
+    }
+    judgement_release(&j);
+    return status;
+}
+
+exit_status verb_run(cli_job *job)
+{
+    part p;
+    if (job->options.output == NULL) {
+        job->options.output = "out";
+    }
+    if (output_kind_of(job->options.output) != OUTPUT_STACK) {
+        return job_fail(job, EXIT_USAGE, "-o %s: 'sf run' writes a folder.", job->options.output);
+    }
+    exit_status status = part_read(job, &p);
+    if (status == EXIT_GOOD) {
+        status = run(job, &p);
+    }
+    part_release(&p);
+    return status;
+}

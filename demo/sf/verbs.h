@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The verbs of the program. Each does its work on a job, writes its files, and leaves its report.
+
+#ifndef DEMO_SF_VERBS_H
+#define DEMO_SF_VERBS_H
+
+#include "job.h"
+
+exit_status verb_info(cli_job *job);
+exit_status verb_check(cli_job *job);
+exit_status verb_trim(cli_job *job);
+exit_status verb_slice(cli_job *job);
+exit_status verb_render(cli_job *job);
+exit_status verb_run(cli_job *job);
+
+#endif
