@@ -34,7 +34,8 @@ static void report_lattice(report *r, const sf_lattice *lattice)
     report_end(r);
 }
 
-static void report_rule(report *r, const part *p, const sf_lattice *lattice, const options *asked)
+static void report_rule(report *r, const part *p, const sf_lattice *lattice,
+                        const cli_options *asked)
 {
     const double degrees = 180 / 3.14159265358979323846;
     sf_rule_angles angles;
@@ -54,7 +55,7 @@ static void report_rule(report *r, const part *p, const sf_lattice *lattice, con
     report_end(r);
 }
 
-static void say_part(report *r, const part *p, const sf_lattice *lattice, const options *asked)
+static void say_part(report *r, const part *p, const sf_lattice *lattice, const cli_options *asked)
 {
     char rule[64] = "";
     if (!p->has_rule) {

@@ -29,8 +29,8 @@ static exit_status exit_of(sf_status status, exit_status status_input)
     }
 }
 
-exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault, const char *subject,
-                          exit_status status_input)
+exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
+                          const char *subject, exit_status status_input)
 {
     const char *why = fault != NULL && fault->status == status ? fault->message : "";
     if (status == SF_ERR_CANCELLED) {

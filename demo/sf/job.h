@@ -25,7 +25,7 @@ typedef enum exit_status {
 } exit_status;
 
 typedef struct cli_job {
-    options options;
+    cli_options options;
     report *report;
     sf_task task;
     struct timespec start;
@@ -42,8 +42,8 @@ exit_status job_fail(cli_job *job, exit_status status, const char *format, ...)
 
 // The same for a call of the library that failed: its own sentence where it gave one. `subject` is
 // what the call worked on (a path), `status_input` the exit status for bad data.
-exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault, const char *subject,
-                          exit_status status_input);
+exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
+                          const char *subject, exit_status status_input);
 
 // A warning goes into the report, and to standard error at the end.
 void job_warn(cli_job *job, const char *format, ...)

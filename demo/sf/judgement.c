@@ -10,24 +10,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINDINGS_MAX = 65536, FINDINGS_SAID = 8 };
+enum { FINDINGS_MAX = 65536, FINDINGS_SAID = 4 };
+
+static sf_check_options how_to_check(const part *p)
+{
+    sf_check_options options = sf_check_options_default();
+    options.rule = p->rule;
+    options.bed_layer = p->bed_layer;
+    return options;
+}
+
+sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
+                            sf_check_report *counts)
+{
+    sf_check_options options = how_to_check(p);
+    return sf_grid_check(grid, &options, NULL, &job->task, counts, NULL);
+}
 
 exit_status judge(cli_job *job, const part *p, judgement *j)
 {
+    sf_check_options options = how_to_check(p);
     memset(j, 0, sizeof *j);
     j->findings = malloc(FINDINGS_MAX * sizeof *j->findings);
     if (j->findings == NULL) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the findings.");
     }
+    options.findings = j->findings;
+    options.finding_capacity = FINDINGS_MAX;
     progress_phase("checking");
-    sf_status status = sf_grid_check(p->grid, &p->rule, p->bed_layer, NULL, j->findings,
-                                     FINDINGS_MAX, &job->task, &j->counts);
-    if (status != SF_OK) {
-        return job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
-    }
-    uint64_t found = j->counts.island_count + j->counts.overhang_count;
-    j->finding_count = (size_t)(found - j->counts.findings_dropped);
-    return EXIT_GOOD;
+    sf_status status =
+        sf_grid_check(p->grid, &options, NULL, &job->task, &j->counts, &j->finding_count);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
 }
 
 void judgement_release(judgement *j)
@@ -149,9 +162,13 @@ void judgement_report(cli_job *job, const part *p, const judgement *j)
     for (size_t i = 0; i < count; i++) {
         say_finding(r, &lattice, &j->findings[chosen[i]], voxel_mm3);
     }
-    uint64_t rest = c->island_count + c->overhang_count - count;
+    uint64_t rest = c->island_count + c->overhang_count - count, said = 0;
+    for (size_t i = 0; i < count; i++) {
+        said += j->findings[chosen[i]].volume;
+    }
     if (rest > 0) {
-        report_say(r, "  and %llu smaller ones (--json lists %s)", (unsigned long long)rest,
+        report_say(r, "  and %llu smaller ones, %.3g mm3 together (--json lists %s)",
+                   (unsigned long long)rest, (double)(c->trimmed_voxels - said) * voxel_mm3,
                    c->findings_dropped > 0 ? "65536" : "all");
     }
 }

@@ -12,7 +12,11 @@ typedef struct judgement {
     size_t finding_count;
 } judgement;
 
-// Check the part's grid under its rule.
+// Counts only, of any grid under the part's rule and bed.
+sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
+                            sf_check_report *counts);
+
+// Check the part's grid under its rule, and find the places.
 exit_status judge(cli_job *job, const part *p, judgement *j);
 
 // Fields and sentences of a judgement.

@@ -16,7 +16,7 @@ static double voxels_along(double length_mm, double pitch_mm)
     return count < 1 ? 1 : count;
 }
 
-static void choose_pitch(const options *asked, const double size_mm[3], double pitch_mm[3])
+static void choose_pitch(const cli_options *asked, const double size_mm[3], double pitch_mm[3])
 {
     double longest = fmax(size_mm[0], fmax(size_mm[1], size_mm[2]));
     for (int i = 0; i < 3; i++) {

@@ -93,7 +93,7 @@ static int parse_count(const char *text, double least, double most, double *numb
            *number == floor(*number);
 }
 
-static int parse_pitch(const char *text, options *made)
+static int parse_pitch(const char *text, cli_options *made)
 {
     int count = parse_numbers(text, made->pitch_mm, 1, 3);
     for (int i = count; count > 0 && i < 3; i++) {
@@ -102,7 +102,7 @@ static int parse_pitch(const char *text, options *made)
     return count > 0 && made->pitch_mm[0] > 0 && made->pitch_mm[1] > 0 && made->pitch_mm[2] > 0;
 }
 
-static int parse_pixels(const char *text, options *made)
+static int parse_pixels(const char *text, cli_options *made)
 {
     double numbers[2];
     if (parse_numbers(text, numbers, 2, 2) != 2 || numbers[0] < 64 || numbers[0] > 16384 ||
@@ -114,7 +114,7 @@ static int parse_pixels(const char *text, options *made)
     return 1;
 }
 
-static int parse_view(const char *text, options *made)
+static int parse_view(const char *text, cli_options *made)
 {
     double numbers[2];
     for (size_t i = 0; i < sizeof views / sizeof views[0]; i++) {
@@ -133,7 +133,7 @@ static int parse_view(const char *text, options *made)
     return 1;
 }
 
-static int parse_up(const char *text, options *made)
+static int parse_up(const char *text, cli_options *made)
 {
     for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
         if (strcmp(text, axes[i].name) == 0) {
@@ -144,7 +144,7 @@ static int parse_up(const char *text, options *made)
     return 0;
 }
 
-static int parse_units(const char *text, options *made)
+static int parse_units(const char *text, cli_options *made)
 {
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (strcmp(text, units[i].name) == 0) {
@@ -155,7 +155,7 @@ static int parse_units(const char *text, options *made)
     return 0;
 }
 
-static int parse_rule(const char *text, options *made)
+static int parse_rule(const char *text, cli_options *made)
 {
     for (sf_rule_kind kind = SF_RULE_BOX3; kind <= SF_RULE_DISK; kind++) {
         if (strcmp(text, sf_rule_kind_name(kind)) == 0) {
@@ -166,7 +166,7 @@ static int parse_rule(const char *text, options *made)
     return 0;
 }
 
-static int parse_fill(const char *text, options *made)
+static int parse_fill(const char *text, cli_options *made)
 {
     for (size_t i = 0; i < sizeof fills / sizeof fills[0]; i++) {
         if (strcmp(text, fills[i]) == 0) {
@@ -178,7 +178,7 @@ static int parse_fill(const char *text, options *made)
 }
 
 // Take one option's argument. Returns 0 when it makes no sense.
-static int parse_argument(uint32_t bit, const char *text, options *made)
+static int parse_argument(uint32_t bit, const char *text, cli_options *made)
 {
     double number = 0;
     int good = 1;
@@ -228,9 +228,9 @@ static int parse_argument(uint32_t bit, const char *text, options *made)
     }
 }
 
-static options defaults(void)
+static cli_options defaults(void)
 {
-    options made;
+    cli_options made;
     memset(&made, 0, sizeof made);
     made.resolution = 256;
     made.angle_deg = 45;
@@ -247,7 +247,7 @@ static options defaults(void)
 }
 
 // Options that exclude each other.
-static int check_together(const options *made, char *message, size_t size)
+static int check_together(const cli_options *made, char *message, size_t size)
 {
     const char *why = NULL;
     if ((made->given & OPTION_PITCH) && (made->given & OPTION_RESOLUTION)) {
@@ -263,7 +263,8 @@ static int check_together(const options *made, char *message, size_t size)
     return why == NULL ? 0 : -1;
 }
 
-static int take_option(const cli_verb *verb, int index, options *made, char *message, size_t size)
+static int take_option(const cli_verb *verb, int index, cli_options *made, char *message,
+                       size_t size)
 {
     const option_entry *entry = &table[index];
     if ((verb->takes & entry->bit) == 0) {
@@ -321,8 +322,8 @@ static int place_of(int code)
     return -1;
 }
 
-static int take_operands(const cli_verb *verb, int count, char **operands, options *made, char *message,
-                         size_t size)
+static int take_operands(const cli_verb *verb, int count, char **operands, cli_options *made,
+                         char *message, size_t size)
 {
     if (count > 1) {
         snprintf(message, size, "one %s at a time, please: '%s' is too much", verb->input,
@@ -337,7 +338,7 @@ static int take_operands(const cli_verb *verb, int count, char **operands, optio
     return 0;
 }
 
-int options_parse(const cli_verb *verb, int argc, char **argv, options *made, char *message,
+int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made, char *message,
                   size_t message_size)
 {
     struct option longs[TABLE_SIZE + 2];

@@ -33,7 +33,7 @@ enum {
     OPTION_PIXELS = 1 << 17
 };
 
-typedef struct options {
+typedef struct cli_options {
     uint32_t given; // OPTION_* that were on the command line
     const char *input;
     const char *output;
@@ -54,7 +54,7 @@ typedef struct options {
     double memory_mib;
     double azimuth_deg, elevation_deg; // where the camera stands
     uint32_t pixels[2];
-} options;
+} cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.
 typedef struct cli_verb {
@@ -68,7 +68,7 @@ typedef struct cli_verb {
 
 // Fill `made` with defaults, then with the command line after the verb. Returns 0, or 1 when help
 // was asked for, or -1 with a sentence in `message`.
-int options_parse(const cli_verb *verb, int argc, char **argv, options *made, char *message,
+int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made, char *message,
                   size_t message_size);
 
 // What --help prints for a verb.

@@ -3,6 +3,7 @@
 
 #include "output.h"
 
+#include "judgement.h"
 #include "progress.h"
 
 #include <string.h>
@@ -60,7 +61,7 @@ static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *
         status = sf_grid_voxelize(again, sf_mesh_get_view(mesh), NULL, NULL, &job->task, NULL);
     }
     if (status == SF_OK) {
-        status = sf_grid_check(again, &p->rule, p->bed_layer, NULL, NULL, 0, &job->task, &counts);
+        status = count_unsupported(job, p, again, &counts);
     }
     sf_grid_destroy(again);
     if (status != SF_OK) {

@@ -63,7 +63,7 @@ static double longest_side(sf_mesh_view view, double low[3], double high[3])
 // Turn upright, and to millimetres of the asked size.
 static exit_status place(cli_job *job, part *p)
 {
-    const options *asked = &job->options;
+    const cli_options *asked = &job->options;
     double low[3], high[3], factor = asked->unit_mm * asked->scale;
     double longest = longest_side(sf_mesh_get_view(p->mesh), low, high);
     if (!(longest > 0) || !isfinite(longest)) {
@@ -102,7 +102,7 @@ static exit_status read_mesh(cli_job *job, part *p)
 // A stack carries its lattice, and the rule and the bed that it was made for.
 static exit_status read_stack(cli_job *job, part *p)
 {
-    options *asked = &job->options;
+    cli_options *asked = &job->options;
     sf_fault fault = {SF_OK, 0, 0, ""};
     sf_directory *directory = NULL;
     sf_stack_info info;
@@ -134,7 +134,7 @@ static exit_status read_stack(cli_job *job, part *p)
 
 static exit_status read_scene(cli_job *job, part *p)
 {
-    const options *asked = &job->options;
+    const cli_options *asked = &job->options;
     const char *name = asked->input == NULL ? "garden" : asked->input + strlen(SCENE_PREFIX);
     double size_mm[3];
     sf_lattice lattice;

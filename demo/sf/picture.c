@@ -199,9 +199,9 @@ static void set_light(view *w)
     }
 }
 
-static void set_up(view *w, const options *asked, const sf_grid *shape)
+static void set_up(view *w, const cli_options *asked, const sf_grid *framed)
 {
-    sf_box bounds = sf_grid_bounds(shape);
+    sf_box bounds = sf_grid_bounds(framed);
     double low[3], high[3];
     corners(&w->volume.lattice, &bounds, low, high);
     w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, 1, 1);
@@ -211,28 +211,28 @@ static void set_up(view *w, const options *asked, const sf_grid *shape)
     set_light(w);
 }
 
-exit_status picture_draw(cli_job *job, const sf_grid *shape, const sf_grid *kept, canvas *picture,
-                         double *bar_mm)
+exit_status picture_draw(cli_job *job, const subject *what, canvas *picture, double *bar_mm)
 {
-    const options *asked = &job->options;
+    const cli_options *asked = &job->options;
     view w;
     memset(&w, 0, sizeof w);
     if (!canvas_create(picture, asked->pixels[0], asked->pixels[1])) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
     }
-    w.kept = kept;
+    w.kept = what->kept;
     w.picture = picture;
     w.view_height = asked->pixels[1] - legend_height(asked->pixels[1]);
-    if (!volume_create(&w.volume, shape)) {
+    if (!volume_create(&w.volume, what->shape)) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
     }
     progress_phase("drawing");
-    set_up(&w, asked, shape);
+    set_up(&w, asked, what->framed);
     sf_status status = draw_rows(&w, &job->task);
     volume_destroy(&w.volume);
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the picture", EXIT_RESOURCE);
     }
-    *bar_mm = legend_draw(picture, w.camera.pixel_mm, shape != kept, kept_colour, lost_colour);
+    *bar_mm = legend_draw(picture, w.camera.pixel_mm, what->shape != what->kept, kept_colour,
+                          lost_colour);
     return EXIT_GOOD;
 }

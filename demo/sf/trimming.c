@@ -6,6 +6,7 @@
 #include "trimming.h"
 
 #include "describe.h"
+#include "judgement.h"
 #include "progress.h"
 
 exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
@@ -17,7 +18,7 @@ exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
     sf_status status = sf_grid_trim(p->grid, &p->rule, p->bed_layer, &job->task, &done);
     if (status == SF_OK) {
         progress_phase("checking");
-        status = sf_grid_check(p->grid, &p->rule, p->bed_layer, NULL, NULL, 0, &job->task, after);
+        status = count_unsupported(job, p, p->grid, after);
     }
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the trim", EXIT_INPUT);
@@ -34,7 +35,7 @@ exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
         report_say(r, "It prints without supports as it is; nothing was taken away.");
     } else {
         report_say(r,
-                   "Trimming took %.4g mm3 away (%.3g %%) and left %.4g mm3, which print without "
+                   "Trimming took %.6g mm3 away (%.3g %%) and left %.6g mm3, which print without "
                    "supports.",
                    before_mm3 - after_mm3, 100 * (before_mm3 - after_mm3) / before_mm3, after_mm3);
     }

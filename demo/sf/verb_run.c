@@ -37,8 +37,7 @@ static exit_status join(cli_job *job, const char *name, char path[PATH_SIZE])
     return length < PATH_SIZE ? EXIT_GOOD : job_fail(job, EXIT_USAGE, "-o: The path is too long.");
 }
 
-static exit_status save_picture(cli_job *job, const sf_grid *shape, const sf_grid *kept,
-                                const char *name)
+static exit_status save_picture(cli_job *job, const subject *what, const char *name)
 {
     canvas picture = {NULL, 0, 0};
     char path[PATH_SIZE];
@@ -48,7 +47,7 @@ static exit_status save_picture(cli_job *job, const sf_grid *shape, const sf_gri
     }
     exit_status status = join(job, name, path);
     if (status == EXIT_GOOD) {
-        status = picture_draw(job, shape, kept, &picture, &bar_mm);
+        status = picture_draw(job, what, &picture, &bar_mm);
     }
     if (status == EXIT_GOOD) {
         status = output_save_picture(job, &picture, path);
@@ -60,8 +59,9 @@ static exit_status save_picture(cli_job *job, const sf_grid *shape, const sf_gri
 // The picture before shows what the trim took away, so it needs both grids.
 static exit_status save_pictures(cli_job *job, const sf_grid *before, const sf_grid *after)
 {
-    exit_status status = save_picture(job, before, after, "before.png");
-    return status == EXIT_GOOD ? save_picture(job, after, after, "after.png") : status;
+    subject first = {before, after, before}, second = {after, after, before};
+    exit_status status = save_picture(job, &first, "before.png");
+    return status == EXIT_GOOD ? save_picture(job, &second, "after.png") : status;
 }
 
 static exit_status save_results(cli_job *job, const part *p)
@@ -84,15 +84,15 @@ static exit_status save_report(cli_job *job)
     const char *folder = job->options.output;
     report_number(r, "seconds", job_seconds(job));
     report_text(r, "output", folder);
-    report_say(r, "%s/printable.stl   the shape that prints", folder);
-    report_say(r, "%s/layers/         its layers, a picture each", folder);
+    report_say(r, "The shape that prints is %s/printable.stl, its layers are in %s/layers/.",
+               folder, folder);
     if (sf_stack_has_png()) {
-        report_say(r, "%s/before.png      the part, what cannot print in red", folder);
-        report_say(r, "%s/after.png       what is left", folder);
+        report_say(r, "See %s/before.png and %s/after.png; all figures are in %s/report.json.",
+                   folder, folder, folder);
     } else {
+        report_say(r, "All figures are in %s/report.json.", folder);
         job_warn(job, "No pictures were drawn: this build was made without PNG.");
     }
-    report_say(r, "%s/report.json     all figures", folder);
     exit_status status = join(job, "report.json", path);
     return status == EXIT_GOOD ? output_save_report(job, path) : status;
 }

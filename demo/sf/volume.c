@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK = 8, REACH = 3 };
+enum { BLOCK = 8, REACH = 4 };
 
 // ---------------------------------------------------------------------------------------------
 // Making ready
@@ -205,21 +205,21 @@ int volume_march(const volume *v, const double origin_mm[3], const double direct
 // ---------------------------------------------------------------------------------------------
 
 // Voxels x - REACH .. x + REACH of a row, as bits 0 .. 2 * REACH; what lies outside is empty.
-static uint32_t window(const volume *v, int64_t x, int64_t y, int64_t z)
+static uint64_t window(const volume *v, int64_t x, int64_t y, int64_t z)
 {
     if (y < 0 || y >= v->lattice.ny || z < 0 || z >= v->lattice.nz) {
         return 0;
     }
     sf_slice slice = sf_grid_slice(v->grid, (uint32_t)z);
     const uint64_t *row = slice.words + (size_t)y * slice.stride;
-    uint32_t bits = 0;
-    for (int dx = -REACH; dx <= REACH; dx++) {
-        int64_t at = x + dx;
-        if (at >= 0 && at < v->lattice.nx) {
-            bits |= (uint32_t)(row[at / 64] >> (at % 64) & 1) << (dx + REACH);
-        }
+    int64_t words = ((int64_t)slice.width + 63) / 64, at = x / 64, shift = x % 64;
+    uint64_t before = at > 0 ? row[at - 1] : 0, after = at + 1 < words ? row[at + 1] : 0;
+    uint64_t bits = shift < REACH ? row[at] << (REACH - shift) | before >> (64 - REACH + shift)
+                                  : row[at] >> (shift - REACH);
+    if (shift + REACH > 63) {
+        bits |= after << (64 - shift + REACH);
     }
-    return bits;
+    return bits & ((UINT64_C(1) << (2 * REACH + 1)) - 1);
 }
 
 void volume_look_around(const volume *v, hit *found)
@@ -232,14 +232,14 @@ void volume_look_around(const volume *v, hit *found)
                 continue;
             }
             int half = (int)sqrt((double)left);
-            uint32_t bits = window(v, found->x, (int64_t)found->y + dy, (int64_t)found->z + dz);
-            for (int dx = -half; dx <= half; dx++) {
+            uint64_t bits = window(v, found->x, (int64_t)found->y + dy, (int64_t)found->z + dz);
+            total += 2 * half + 1;
+            for (int dx = -half; bits != 0 && dx <= half; dx++) {
                 int bit = (int)(bits >> (dx + REACH) & 1);
                 sum[0] += bit * dx;
                 sum[1] += bit * dy;
                 sum[2] += bit * dz;
                 solid += bit;
-                total++;
             }
         }
     }
