@@ -5,6 +5,8 @@
 #include "progress.h"
 #include "verbs.h"
 
+#include <math.h>
+
 static void report_fields(report *r, const char *input, const sf_mesh_view *mesh,
                           const sf_topology *t, const sf_mass *m, const double bounds[6])
 {
@@ -31,6 +33,22 @@ static void report_fields(report *r, const char *input, const sf_mesh_view *mesh
     report_end(r);
 }
 
+// A coordinate for people: rounding errors of the file's author are zeros.
+static double tidy(double coordinate, const double bounds[6])
+{
+    double largest = 0;
+    for (int i = 0; i < 6; i++) {
+        largest = fmax(largest, fabs(bounds[i]));
+    }
+    return fabs(coordinate) < 1e-9 * largest ? 0 : coordinate;
+}
+
+static void say_place(report *r, const char *what, const double at[3], const double bounds[6])
+{
+    report_say(r, "%-15s (%.6g, %.6g, %.6g) mm", what, tidy(at[0], bounds), tidy(at[1], bounds),
+               tidy(at[2], bounds));
+}
+
 static void say(report *r, const char *input, const sf_mesh_view *mesh, const sf_topology *t,
                 const sf_mass *m, const double bounds[6])
 {
@@ -38,13 +56,12 @@ static void say(report *r, const char *input, const sf_mesh_view *mesh, const sf
                t->vertex_count, t->shells, t->shells == 1 ? "" : "s");
     report_say(r, "size            %.6g x %.6g x %.6g mm", bounds[3] - bounds[0],
                bounds[4] - bounds[1], bounds[5] - bounds[2]);
-    report_say(r, "from            (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm", bounds[0],
-               bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+    say_place(r, "lower corner", bounds, bounds);
+    say_place(r, "upper corner", bounds + 3, bounds);
     report_say(r, "volume          %.8g mm3%s", m->volume_mm3,
-               t->closed ? "" : " (not closed: as if holes were filled from the middle)");
+               t->closed ? "" : " (an estimate: the surface has holes)");
     report_say(r, "area            %.8g mm2", m->area_mm2);
-    report_say(r, "centre of mass  (%.6g, %.6g, %.6g) mm", m->com_mm[0], m->com_mm[1],
-               m->com_mm[2]);
+    say_place(r, "centre of mass", m->com_mm, bounds);
     if (t->closed && t->oriented && !t->flipped) {
         report_say(r, "The surface is closed and faces outwards.");
     } else if (t->closed && t->oriented) {
