@@ -7,6 +7,7 @@
 #include "progress.h"
 
 #include <string.h>
+#include <sys/stat.h>
 
 static const char *extension(const char *path)
 {
@@ -19,6 +20,12 @@ static const char *extension(const char *path)
 output_kind output_kind_of(const char *path)
 {
     const char *dot = extension(path);
+    size_t length = strlen(path);
+    struct stat entry;
+    if ((length > 0 && path[length - 1] == '/') ||
+        (stat(path, &entry) == 0 && S_ISDIR(entry.st_mode))) {
+        return OUTPUT_STACK;
+    }
     sf_mesh_format format = sf_mesh_format_from_name(path);
     if (format != SF_MESH_FORMAT_AUTO) {
         return format == SF_MESH_FORMAT_OFF ? OUTPUT_UNKNOWN : OUTPUT_MESH;
@@ -40,9 +47,11 @@ exit_status output_check(cli_job *job, int mesh_allowed)
         return EXIT_GOOD;
     }
     return job_fail(job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
-                    mesh_allowed ? "a mesh (.stl, .obj, .ply) or, for a name without extension, a "
-                                   "folder with a stack of pictures"
-                                 : "a folder with a stack of pictures; its name has no extension");
+                    mesh_allowed
+                        ? "a mesh (.stl, .obj, .ply) or, for a name without extension or "
+                          "with a slash at its end, a folder with a stack of pictures"
+                        : "a folder with a stack of pictures; its name has no extension, or "
+                          "a slash at its end");
 }
 
 // ---------------------------------------------------------------------------------------------

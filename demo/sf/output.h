@@ -11,7 +11,8 @@
 // What the name of an output asks for.
 typedef enum output_kind { OUTPUT_MESH, OUTPUT_STACK, OUTPUT_PICTURE, OUTPUT_UNKNOWN } output_kind;
 
-// Judge by the name: .stl, .obj, .ply; .png; a folder has no extension.
+// Judge by the name: .stl, .obj, .ply; .png; a folder is there, ends with a slash, or has no
+// extension.
 output_kind output_kind_of(const char *path);
 
 // Refuse, before any work is done, an -o that a verb cannot write.
