@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Files and folders by POSIX.1-2008.
+// Files and folders by POSIX.1-2008. On Windows this file is empty, so that every build compiles
+// the same list.
 
 #define _POSIX_C_SOURCE 200809L
 
 #include "io/disk.h"
+
+#ifndef _WIN32
 
 #include <dirent.h>
 #include <errno.h>
@@ -120,3 +123,5 @@ int sfi_disk_list(const char *folder, int (*visit)(void *user, const char *name)
     closedir(open_folder);
     return result;
 }
+
+#endif

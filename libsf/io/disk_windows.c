@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Files and folders by the Windows API.
-
-#define WIN32_LEAN_AND_MEAN
+// Files and folders by the Windows API. Elsewhere this file is empty, so that every build compiles
+// the same list.
 
 #include "io/disk.h"
+
+#ifdef _WIN32
+
+#define WIN32_LEAN_AND_MEAN
 
 #include <errno.h>
 #include <fcntl.h>
@@ -136,3 +139,5 @@ int sfi_disk_list(const char *folder, int (*visit)(void *user, const char *name)
     FindClose(found);
     return result;
 }
+
+#endif

@@ -6,6 +6,7 @@
 #include "base/status.h"
 #include "io/number.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -17,7 +18,7 @@ sf_read_limits sf_read_limits_default(void)
 
 sf_status sfi_reader_vertex(sfi_mesh_reader *reader, const double xyz[3])
 {
-    if (!isfinite(xyz[0]) || !isfinite(xyz[1]) || !isfinite(xyz[2])) {
+    if (!(fabs(xyz[0]) <= DBL_MAX && fabs(xyz[1]) <= DBL_MAX && fabs(xyz[2]) <= DBL_MAX)) {
         return sfi_cursor_fault(reader->cursor, reader->fault,
                                 "a vertex has a coordinate that is infinite or not a number; "
                                 "correct it or export the file again");
