@@ -40,7 +40,13 @@ exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
         job->fault = *fault;
     }
     job->fault.status = status;
-    return job_fail(job, exit_of(status, status_input), "%s: %s", subject,
+    char place[48] = "";
+    if (why[0] != '\0' && fault->line > 0) {
+        snprintf(place, sizeof place, ", line %lu", (unsigned long)fault->line);
+    } else if (why[0] != '\0' && fault->offset > 0) {
+        snprintf(place, sizeof place, ", byte %llu", (unsigned long long)fault->offset);
+    }
+    return job_fail(job, exit_of(status, status_input), "%s%s: %s", subject, place,
                     why[0] != '\0' ? why : sf_status_message(status));
 }
 
