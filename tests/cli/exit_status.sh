@@ -1,0 +1,59 @@
+# Why: scripts and slicers go by the exit status, and people by the sentence. Each kind of failure has
+# its own status in every verb, says one line on standard error, nothing on standard output, and
+# leaves no file behind.
+. "$1"
+
+says_one_line() {
+    [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ]
+    ok $? "one sentence, and nothing on standard output: $(cat stderr)"
+}
+
+for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "check x --angle 4.9" \
+    "check x --pitch 0" "check x --pitch 1,2,3,4" "check x --pitch 1 --resolution 9" \
+    "check x --resolution 0" "check x --resolution 2.5" "check x --up w" "check x --units ft" \
+    "check x --rule cone" "check x --rule box3 --angle 30" "check x --scale -1" \
+    "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
+    "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
+    "run x -o y.png" "info x --pitch 1" "check scene:garden --bed 1000" \
+    "check scene:garden --up +x" "check scene:garden --pitch 1,2"; do
+    # shellcheck disable=SC2086
+    exits 2 $arguments
+    says_one_line
+done
+exits 2
+exits 2 frobnicate
+exits 0 --help
+exits 0 --version
+for verb in run info check trim slice render; do
+    exits 0 $verb --help
+done
+
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 x\n' >text.stl
+printf 'v 0 0 0\nv 1 0 nan\n' >nan.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >index.obj
+printf 'solid nothing\nendsolid nothing\n' >none.stl
+printf 'v 3 3 3\nv 3 3 3\nv 3 3 3\nf 1 2 3\n' >point.obj
+: >empty.stl
+mkdir folder
+for file in text.stl nan.obj index.obj none.stl point.obj empty.stl missing.stl folder scene:desert; do
+    for verb in "check" "trim -o t.stl" "slice -o layers" "render -o p.png" "run -o out"; do
+        # shellcheck disable=SC2086
+        exits 3 ${verb%% *} "$file" $(expr "$verb" : '[a-z]* \(.*\)')
+        says_one_line
+    done
+done
+exits 3 check text.stl
+grep -q 'line 5' stderr
+ok $? "the sentence names the line"
+[ ! -e t.stl ] && [ ! -e layers ] && [ ! -e p.png ] && [ ! -e out ]
+ok $? "no file was left"
+
+exits 4 check scene:garden --pitch 0.01
+exits 4 trim scene:garden --resolution 20 -o nowhere/t.stl
+exits 4 slice scene:garden --resolution 20 -o folder/missing/layers
+printf 'mine\n' >folder/precious
+exits 4 slice scene:garden --resolution 20 -o folder
+same "$(cat folder/precious)" mine "a folder that is no stack is left alone"
+exits 1 check scene:garden --resolution 40
+exits 0 trim scene:garden --resolution 40 -o t.stl
+finish

@@ -1,0 +1,28 @@
+# Why: an example that does not work is worse than none. Every line that --help shows under
+# "examples" is run as it stands.
+. "$1"
+
+run trim scene:garden --resolution 24 -o part.stl
+run trim scene:garden --resolution 24 -o part.obj
+run slice scene:garden --resolution 24 -o layers
+for verb in run info check trim slice render; do
+    run $verb --help
+    sed -n '/^examples:/,/^$/s/^  sf //p' stdout >examples
+    [ -s examples ]
+    ok $? "$verb --help has examples"
+    while read -r line; do
+        case $line in # small, so that the test is quick; what is tried is that the line is taken
+        info* | *--pitch* | "trim layers"*) extra= ;;
+        *--resolution*) extra= ;;
+        *) extra="--resolution 24" ;;
+        esac
+        case $line in *--pitch\ 0.05*) line="$line --size 4" ;; esac
+        case $line in *--pitch\ 0.1*) line="$line --size 8" ;; esac
+        case $line in *render* | run*) extra="$extra --pixels 96,96" ;; esac
+        # shellcheck disable=SC2086
+        run $line $extra
+        [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; }
+        ok $? "sf $line $extra"
+    done <examples
+done
+finish

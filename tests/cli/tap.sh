@@ -1,0 +1,57 @@
+# What the tests of the command line share: TAP, and a folder of their own to work in. The program
+# is $SF; $JSON_GET prints one value of a JSON file, or is empty where there is no jansson.
+set -u
+count=0 failures=0
+here=$(mktemp -d) || exit 99
+trap 'rm -rf "$here"' EXIT
+cd "$here" || exit 99
+
+# ok STATUS WORDS: one line of TAP.
+ok() {
+    count=$((count + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $count - $2"
+    else
+        failures=$((failures + 1))
+        echo "not ok $count - $2"
+        echo "# exit $exit, standard output and error:"
+        sed 's/^/#   /' stdout stderr | head -20
+    fi
+}
+
+# run ARGS: run the program; leaves exit, and the files stdout and stderr.
+run() {
+    exit=0
+    "$SF" "$@" >stdout 2>stderr </dev/null || exit=$?
+}
+
+# exits N ARGS: run the program and expect an exit status.
+exits() {
+    want=$1
+    shift
+    run "$@"
+    [ "$exit" -eq "$want" ]
+    ok $? "sf $* exits with $want"
+}
+
+same() {
+    [ "$1" = "$2" ]
+    ok $? "$3 ('$1', expected '$2')"
+}
+
+# value PATH [FILE]: one value of the report on standard output, or of a file.
+value() {
+    "$JSON_GET" "${2:-stdout}" "$1"
+}
+
+needs_json() {
+    if [ -z "$JSON_GET" ]; then
+        echo "1..0 # SKIP jansson is not installed"
+        exit 0
+    fi
+}
+
+finish() {
+    echo "1..$count"
+    exit $((failures > 0))
+}
