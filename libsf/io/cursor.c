@@ -91,12 +91,21 @@ int sfi_cursor_at_text(sfi_cursor *cursor)
     return 1;
 }
 
+// Whether the return that stands ahead ends its line alone, as it did on old machines.
+static int is_line_end(sfi_cursor *cursor)
+{
+    size_t have;
+    const unsigned char *bytes = sfi_cursor_peek(cursor, 2, &have);
+    return have < 2 || bytes[1] != '\n';
+}
+
 int sfi_cursor_look(sfi_cursor *cursor)
 {
     if (cursor->position == cursor->end && !refill(cursor)) {
         return -1;
     }
-    return cursor->buffer[cursor->position];
+    int byte = cursor->buffer[cursor->position];
+    return byte == '\r' && is_line_end(cursor) ? '\n' : byte;
 }
 
 int sfi_cursor_next(sfi_cursor *cursor)
@@ -160,6 +169,18 @@ void sfi_cursor_skip_line(sfi_cursor *cursor)
     do {
         byte = sfi_cursor_next(cursor);
     } while (byte >= 0 && byte != '\n');
+}
+
+void sfi_cursor_skip_mark(sfi_cursor *cursor)
+{
+    static const unsigned char mark[3] = {0xef, 0xbb, 0xbf};
+    unsigned char dropped[3];
+    size_t have;
+    const unsigned char *bytes = sfi_cursor_peek(cursor, sizeof mark, &have);
+    if (have == sizeof mark && memcmp(bytes, mark, sizeof mark) == 0 &&
+        sfi_cursor_at_text(cursor)) {
+        sfi_cursor_read(cursor, dropped, sizeof dropped);
+    }
 }
 
 uint64_t sfi_cursor_offset(const sfi_cursor *cursor)

@@ -40,7 +40,8 @@ const unsigned char *sfi_cursor_peek(sfi_cursor *cursor, size_t need, size_t *ha
 // Whether no control characters stand ahead but blanks and line ends.
 int sfi_cursor_at_text(sfi_cursor *cursor);
 
-// The next byte, or -1 at the end; taken, or only looked at.
+// The next byte of text, or -1 at the end; taken, or only looked at. A return without a line feed
+// behind it reads as a line feed, so that a line ends in any of the three ways.
 int sfi_cursor_next(sfi_cursor *cursor);
 int sfi_cursor_look(sfi_cursor *cursor);
 
@@ -56,6 +57,9 @@ void sfi_cursor_skip_line(sfi_cursor *cursor);
 
 // Offset of the next byte in the file.
 uint64_t sfi_cursor_offset(const sfi_cursor *cursor);
+
+// Skip the mark that some editors put in front of text (U+FEFF in UTF-8).
+void sfi_cursor_skip_mark(sfi_cursor *cursor);
 
 // A fault about the place where the cursor stands; a source that failed is told of instead.
 sf_status sfi_cursor_fault(const sfi_cursor *cursor, sf_fault *fault, const char *sentence);

@@ -103,10 +103,10 @@ static sf_mesh_format sniff(sfi_cursor *cursor)
     if (sfi_stl_is_text(cursor) || !sfi_cursor_at_text(cursor)) {
         return SF_MESH_FORMAT_STL;
     }
-    static const char *const first[] = {"v ", "#", "mtllib ", "o ", "g ", "\nv ", "\nv\t"};
+    static const char *const first[] = {"v ", "#", "mtllib ", "o ", "g ", "\nv ", "\nv\t", "\rv "};
     for (size_t i = 0; i < sizeof first / sizeof first[0]; i++) {
-        if (first[i][0] == '\n' ? contains(bytes, have, first[i])
-                                : starts_with(bytes, have, first[i])) {
+        if (first[i][0] < ' ' ? contains(bytes, have, first[i])
+                              : starts_with(bytes, have, first[i])) {
             return SF_MESH_FORMAT_OBJ;
         }
     }
@@ -133,6 +133,7 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
 
 static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
 {
+    sfi_cursor_skip_mark(reader->cursor);
     SF_TRY(read_as(reader, format == SF_MESH_FORMAT_AUTO ? sniff(reader->cursor) : format));
     if (reader->cursor->failure != SF_OK) {
         return sfi_cursor_fault(reader->cursor, reader->fault, "");

@@ -244,6 +244,9 @@ static inline const char *make_any(file *f, size_t number)
     case 7:
         make_binary_stl(f, "streamed", 0);
         return "binary STL without a count";
+    case 9:
+        make_text_stl(f, "\r");
+        return "text STL, CR";
     case 8:
         make_binary_stl(f, "streamed", UINT32_MAX);
         return "binary STL with all ones for a count";

@@ -85,6 +85,12 @@ static void reads_odd_but_valid_text(void)
                   SF_MESH_FORMAT_AUTO, 5, 3));
     CHECK(text_is("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2", SF_MESH_FORMAT_AUTO, 3, 1));
     CHECK(text_is("STCNOFF\n3 1 0\n0 0 0 9 9\n1 0 0\n0 1 0\n3 0 1 2\n", SF_MESH_FORMAT_AUTO, 3, 1));
+    // Lines that end in a return alone, and a mark in front.
+    CHECK(text_is("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", SF_MESH_FORMAT_AUTO, 3, 1));
+    CHECK(text_is("g x\rv 0 0 0\rv 1 0 0\r\rv 0 1 0\rf 1 2 3", SF_MESH_FORMAT_AUTO, 3, 1));
+    CHECK(text_is("\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\nv 0 1 0\nf 1 2 3", SF_MESH_FORMAT_AUTO, 3, 1));
+    CHECK(text_is("\xef\xbb\xbfsolid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid",
+                  SF_MESH_FORMAT_AUTO, 3, 1));
     // A name that is a keyword, and a comment with numbers.
     CHECK(text_is("solid endsolid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid\n",
                   SF_MESH_FORMAT_STL, 3, 1));
