@@ -2,6 +2,12 @@
 // nothing else is left in the folder, whatever fails. Guards: issue 2 part 6 (atomic save), the
 // strong guarantee.
 
+#ifndef _WIN32
+#define _XOPEN_SOURCE 700
+#include <signal.h>
+#include <sys/resource.h>
+#endif
+
 #include <sf/io.h>
 
 #include "failing_allocator.h"
@@ -90,6 +96,39 @@ static void a_long_name_is_told_by_its_end(void)
 }
 #endif
 
+#ifndef _WIN32
+// No file may grow beyond some kilobytes, which is how a full disk looks from inside.
+static void a_full_disk_leaves_the_old_file(void)
+{
+    static char block[1000];
+    struct rlimit usual, small;
+    folder_begin("save");
+    folder_write(PATH, "old");
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &usual);
+    for (int blocks = 5; blocks <= 300; blocks += 59) {
+        sf_save *save = NULL;
+        sf_fault fault = {SF_OK, 0, 0, ""};
+        sf_status status = SF_OK;
+        small = usual;
+        small.rlim_cur = 4500;
+        setrlimit(RLIMIT_FSIZE, &small);
+        CHECK_EQ(sf_save_begin(PATH, NULL, &save, &fault), SF_OK);
+        sf_sink sink = sf_save_sink(save);
+        for (int i = 0; i < blocks && status == SF_OK; i++) {
+            status = sink.write(sink.user, block, sizeof block);
+        }
+        CHECK(blocks < 50 || status == SF_ERR_IO);
+        CHECK_EQ(sf_save_commit(save, &fault), SF_ERR_IO); // even where every write was taken
+        setrlimit(RLIMIT_FSIZE, &usual);
+        CHECK(strstr(fault.message, "part.bin") != NULL);
+        CHECK(holds(PATH, "old"));
+        CHECK_EQ(folder_count(test_folder), 1);
+    }
+    folder_end();
+}
+#endif
+
 static void reads_files(void)
 {
     folder_begin("save");
@@ -157,6 +196,9 @@ int main(void)
     TEST(refuses_what_is_no_file);
 #ifdef __linux__
     TEST(a_long_name_is_told_by_its_end);
+#endif
+#ifndef _WIN32
+    TEST(a_full_disk_leaves_the_old_file);
 #endif
     TEST(reads_files);
     TEST(survives_refused_allocations);

@@ -39,41 +39,42 @@ static int reading_works(void)
     return read_it(files, &fault) != SF_ERR_UNSUPPORTED;
 }
 
+static const struct {
+    const char *from, *to;
+    sf_status status;
+} change[] = {
+    {"libsf-stack", "other-stack", SF_ERR_FORMAT},
+    {"\"version\": 1", "\"version\": 2", SF_ERR_UNSUPPORTED},
+    {"\"mm\"", "\"in\"", SF_ERR_UNSUPPORTED},
+    {"\"white\"", "\"black\"", SF_ERR_UNSUPPORTED},
+    {"top_is_max_y", "top_is_min_y", SF_ERR_UNSUPPORTED},
+    {"\"nx\": 10", "\"nx\": 11", SF_ERR_FORMAT},
+    {"\"nx\": 10", "\"nx\": -1", SF_ERR_FORMAT},
+    {"\"nx\": 10", "\"nx\": 1.5", SF_ERR_FORMAT},
+    {"\"nx\": 10", "\"nx\": 0", SF_ERR_FORMAT},
+    {"\"nx\": 10", "\"nx\": 99999999", SF_ERR_FORMAT},
+    {"\"nz\": 3", "\"nz\": 4", SF_ERR_FORMAT},
+    {"\"nz\": 3", "\"nz\": 0", SF_ERR_FORMAT},
+    {"\"count\": 3", "\"count\": 2", SF_ERR_FORMAT},
+    {"[0.1, 0.1]", "[0.1, 0]", SF_ERR_FORMAT},
+    {"[0.1, 0.1]", "[0.1]", SF_ERR_FORMAT},
+    {"[0.1, 0.1]", "0.1", SF_ERR_FORMAT},
+    {"[0.1, 0.1]", "[0.1, 1e999]", SF_ERR_FORMAT},
+    {"[0.1, 0.1]", "[0.1, \"1\"]", SF_ERR_FORMAT},
+    {"layer_mm\": 0.1", "layer_mm\": -0.1", SF_ERR_FORMAT},
+    {"layer_mm\": 0.1", "heights_mm\": [0.1, 0.1]", SF_ERR_FORMAT},
+    {"layer_mm\": 0.1", "heights_mm\": [0.1, 0.1, null]", SF_ERR_FORMAT},
+    {"layer_mm\": 0.1", "nx\": 10", SF_ERR_FORMAT},
+    {"\"octagon\"", "\"cross\"", SF_ERR_UNSUPPORTED},
+    {"\"angle_rad\": ", "\"angle_rad\": 9", SF_ERR_FORMAT},
+    {"\"bed_layer\": 1", "\"bed_layer\": 3", SF_ERR_FORMAT},
+    {"\"bed_layer\": 1", "\"bed\": 1", SF_ERR_FORMAT},
+    {"layer_%05u", "../../%05u", SF_ERR_UNSUPPORTED},
+    {"layer_%05u", "%n%s%s", SF_ERR_UNSUPPORTED},
+};
+
 static void refuses_damaged_documents(void)
 {
-    static const struct {
-        const char *from, *to;
-        sf_status status;
-    } change[] = {
-        {"libsf-stack", "other-stack", SF_ERR_FORMAT},
-        {"\"version\": 1", "\"version\": 2", SF_ERR_UNSUPPORTED},
-        {"\"mm\"", "\"in\"", SF_ERR_UNSUPPORTED},
-        {"\"white\"", "\"black\"", SF_ERR_UNSUPPORTED},
-        {"top_is_max_y", "top_is_min_y", SF_ERR_UNSUPPORTED},
-        {"\"nx\": 10", "\"nx\": 11", SF_ERR_FORMAT},
-        {"\"nx\": 10", "\"nx\": -1", SF_ERR_FORMAT},
-        {"\"nx\": 10", "\"nx\": 1.5", SF_ERR_FORMAT},
-        {"\"nx\": 10", "\"nx\": 0", SF_ERR_FORMAT},
-        {"\"nx\": 10", "\"nx\": 99999999", SF_ERR_FORMAT},
-        {"\"nz\": 3", "\"nz\": 4", SF_ERR_FORMAT},
-        {"\"nz\": 3", "\"nz\": 0", SF_ERR_FORMAT},
-        {"\"count\": 3", "\"count\": 2", SF_ERR_FORMAT},
-        {"[0.1, 0.1]", "[0.1, 0]", SF_ERR_FORMAT},
-        {"[0.1, 0.1]", "[0.1]", SF_ERR_FORMAT},
-        {"[0.1, 0.1]", "0.1", SF_ERR_FORMAT},
-        {"[0.1, 0.1]", "[0.1, 1e999]", SF_ERR_FORMAT},
-        {"[0.1, 0.1]", "[0.1, \"1\"]", SF_ERR_FORMAT},
-        {"layer_mm\": 0.1", "layer_mm\": -0.1", SF_ERR_FORMAT},
-        {"layer_mm\": 0.1", "heights_mm\": [0.1, 0.1]", SF_ERR_FORMAT},
-        {"layer_mm\": 0.1", "heights_mm\": [0.1, 0.1, null]", SF_ERR_FORMAT},
-        {"layer_mm\": 0.1", "nx\": 10", SF_ERR_FORMAT},
-        {"\"octagon\"", "\"cross\"", SF_ERR_UNSUPPORTED},
-        {"\"angle_rad\": ", "\"angle_rad\": 9", SF_ERR_FORMAT},
-        {"\"bed_layer\": 1", "\"bed_layer\": 3", SF_ERR_FORMAT},
-        {"\"bed_layer\": 1", "\"bed\": 1", SF_ERR_FORMAT},
-        {"layer_%05u", "../../%05u", SF_ERR_UNSUPPORTED},
-        {"layer_%05u", "%n%s%s", SF_ERR_UNSUPPORTED},
-    };
     if (!reading_works()) {
         SKIP("this build has no jansson");
     }
