@@ -3,7 +3,8 @@
 //
 // A mesh has an inside when its boundary, as a chain of directed edges, is zero. The usual table of
 // edges answers that, but it costs more than the voxels do. A fingerprint needs no table: give each
-// undirected edge a pseudo-random number made from the places of its ends, add it where a triangle
+// undirected edge a pseudo-random number made from its ends (their
+// numbers, or their places where files repeat corners), add it where a triangle
 // runs the edge upwards, subtract it where downwards. The sum of a closed chain is 0; any other sum
 // is 0 by chance only, one in 2^64 (and then its holes are merely not mended). Only meshes that
 // fail it pay for the sort.
@@ -39,7 +40,24 @@ static uint64_t fingerprint(uint64_t from, uint64_t to)
     return from < to ? mix(from ^ mix(to)) : 0 - mix(to ^ mix(from));
 }
 
-int sfi_chain_closed(const sfi_point *points, const uint32_t *triangles, size_t triangle_count)
+static int closed_by_number(const uint32_t *triangles, size_t triangle_count)
+{
+    uint64_t sum = 0;
+    for (size_t t = 0; t < triangle_count; t++) {
+        uint64_t before = triangles[3 * t + 2];
+        for (size_t i = 0; i < 3; i++) {
+            uint64_t corner = triangles[3 * t + i];
+            uint64_t low = before < corner ? before : corner, sign = 0 - (uint64_t)(low == corner);
+            uint64_t value = mix(low << 32 | (before ^ corner ^ low));
+            sum += before == corner ? 0 : (value ^ sign) - sign;
+            before = corner;
+        }
+    }
+    return sum == 0;
+}
+
+static int closed_by_place(const sfi_point *points, const uint32_t *triangles,
+                           size_t triangle_count)
 {
     uint64_t sum = 0;
     for (size_t t = 0; t < triangle_count; t++) {
@@ -49,6 +67,12 @@ int sfi_chain_closed(const sfi_point *points, const uint32_t *triangles, size_t 
         sum += fingerprint(a, b) + fingerprint(b, c) + fingerprint(c, a);
     }
     return sum == 0;
+}
+
+int sfi_chain_closed(const sfi_point *points, const uint32_t *triangles, size_t triangle_count)
+{
+    return closed_by_number(triangles, triangle_count) ||
+           closed_by_place(points, triangles, triangle_count);
 }
 
 static int same_point(const sfi_point *a, const sfi_point *b)

@@ -21,8 +21,8 @@ static inline uint32_t sfi_edge_to(const uint32_t *triangles, uint32_t h)
     return triangles[h % 3 == 2 ? h - 2 : h + 1];
 }
 
-// Whether every edge is run as often one way as the other; points are the same where they lie at
-// the same place. A chain that is not closed passes with a chance of 2^-64.
+// Whether every edge is run as often one way as the other; points are the same where they have
+// one number, or lie at the same place. A chain that is not closed passes with a chance of 2^-64.
 int sfi_chain_closed(const sfi_point *points, const uint32_t *triangles, size_t triangle_count);
 
 // Copy triangles with the corners renamed so that equal points have one number.

@@ -39,16 +39,15 @@ static int collect(const sf_voxelizer *v, sfi_lane *lane, const uint32_t *list, 
 }
 
 static void fill_row(const sf_voxelizer *v, sfi_fill_lane *lane, sfi_window window, uint32_t y,
-                     uint32_t k, const sfi_target *to)
+                     uint32_t k, sf_slice slice)
 {
-    sf_slice slice = target_slice(to, k);
     uint64_t *words = slice.words + (size_t)y * slice.stride;
     size_t row = (size_t)(k - window.k0) * (window.y1 - window.y0) + (y - window.y0);
-    size_t changes = sfi_lane_row(&lane->rows, row);
     if (v->skin.winding.node_count > 0) {
+        size_t changes = sfi_lane_row(&lane->rows, row);
         sfi_row_fill_open(&lane->rows, &lane->holes, changes, &v->frame, &v->skin, y, k, words);
     } else {
-        sfi_row_fill(&lane->rows, changes, v->fill, words);
+        sfi_lane_fill(&lane->rows, row, v->fill, words);
     }
 }
 
@@ -68,8 +67,9 @@ static void fill_rows(const sf_voxelizer *v, sfi_fill_lane *lane, sfi_window win
         for (uint32_t y0 = window.y0, y1; y0 < window.y1; y0 = y1) {
             y1 = tile_end(y0, side, window.y1);
             for (uint32_t k = k0; k < k1; k++) {
+                sf_slice slice = target_slice(to, k);
                 for (uint32_t y = y0; y < y1; y++) {
-                    fill_row(v, lane, window, y, k, to);
+                    fill_row(v, lane, window, y, k, slice);
                 }
             }
         }

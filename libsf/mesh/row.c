@@ -54,7 +54,7 @@ void sfi_lane_clear(sfi_lane *lane, size_t rows)
 {
     lane->crossings.count = 0;
     lane->spilled = 0;
-    memset(lane->crossings.row_counts, 0, rows * sizeof(uint32_t));
+    memset(lane->crossings.row_counts, 0, (rows) * sizeof(uint32_t));
 }
 
 static void add_step(int32_t *sums, uint32_t step)
@@ -174,4 +174,48 @@ void sfi_row_fill(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *w
         lane->solid_voxels += nx - start;
     }
     lane->odd_rows += fill == SF_FILL_PARITY ? winding % 2 != 0 : winding != 0;
+}
+
+// Most rows have few crossings, and their changes need not be written down.
+void sfi_lane_fill(sfi_lane *lane, size_t row, sf_fill fill, uint64_t *words)
+{
+    uint32_t count = lane->crossings.row_counts[row];
+    if (count > SFI_SORT_MAX || lane->spilled) {
+        sfi_row_fill(lane, sfi_lane_row(lane, row), fill, words);
+        return;
+    }
+    uint32_t nx = (uint32_t)(lane->voxel_count - 1), start = nx;
+    for (uint32_t i = 0; i < (nx + 63) / 64; i++) {
+        words[i] = 0;
+    }
+    if (count == 0) {
+        return;
+    }
+    uint32_t *steps = lane->steps + (lane->row_ends[row] - count);
+    if (count == 2) { // one way in, one out: which comes first is a coin toss, so no branch asks
+        uint32_t low = steps[0] < steps[1] ? steps[0] : steps[1], high = steps[0] ^ steps[1] ^ low;
+        if ((low & SFI_STEP_LEAVES) == 0 && (high & SFI_STEP_LEAVES) != 0) {
+            sfi_row_set(words, low >> SFI_STEP_SHIFT, high >> SFI_STEP_SHIFT);
+            lane->solid_voxels += (high >> SFI_STEP_SHIFT) - (low >> SFI_STEP_SHIFT);
+            return;
+        }
+    }
+    sort_steps(steps, count);
+    int32_t winding = 0, inside = 0, parity = fill == SF_FILL_PARITY;
+    for (uint32_t i = 0; i < count; i++) {
+        winding += (steps[i] & SFI_STEP_LEAVES) != 0 ? -1 : 1;
+        int now = parity ? winding & 1 : winding >= 1;
+        uint32_t voxel = steps[i] >> SFI_STEP_SHIFT;
+        if (inside && !now) {
+            sfi_row_set(words, start, voxel);
+            lane->solid_voxels += voxel - start;
+        }
+        start = now && !inside ? voxel : start;
+        inside = now;
+    }
+    if (inside) {
+        sfi_row_set(words, start, nx);
+        lane->solid_voxels += nx - start;
+    }
+    lane->odd_rows += parity ? (winding & 1) != 0 : winding != 0;
 }

@@ -44,6 +44,9 @@ size_t sfi_lane_row(sfi_lane *lane, size_t row);
 // at least 1. Counts solid voxels, and the row itself when its changes do not add up to nothing.
 void sfi_row_fill(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *words);
 
+// The same for a row of a sorted window that is not spilled, straight from its steps.
+void sfi_lane_fill(sfi_lane *lane, size_t row, sf_fill fill, uint64_t *words);
+
 // Set the voxels x0 <= x < x1 of a row.
 void sfi_row_set(uint64_t *words, uint32_t x0, uint32_t x1);
 

@@ -94,9 +94,9 @@ SF_API SF_CHECKED sf_status sf_mesh_measure(sf_mesh_view mesh, sf_mass *mass);
 // Voxels out of a mesh
 // ---------------------------------------------------------------------------------------------
 
-/** How inside is decided. */
+/** How inside is decided. A voxel is solid or not at its centre, but for SF_FILL_SURFACE. */
 typedef enum sf_fill {
-    SF_FILL_AUTO = 0,    /**< parity where the mesh is closed and simple, winding elsewhere */
+    SF_FILL_AUTO = 0,    /**< winding, after turning what looks the wrong way */
     SF_FILL_PARITY = 1,  /**< inside after an odd number of crossings */
     SF_FILL_WINDING = 2, /**< inside where the winding number is at least one half */
     SF_FILL_SURFACE = 3  /**< every voxel that the surface touches, and nothing else */
@@ -104,37 +104,134 @@ typedef enum sf_fill {
 
 /** How a mesh becomes voxels. Fill with sf_voxelize_options_default(). */
 typedef struct sf_voxelize_options {
-    size_t struct_size;
-    sf_fill fill;
+    size_t struct_size; /**< sizeof(sf_voxelize_options), set by the default */
+    sf_fill fill;       /**< SF_FILL_AUTO by default */
 } sf_voxelize_options;
 
+/**
+ * Options of the voxeliser, each at its default.
+ *
+ * @return the options, by value: SF_FILL_AUTO.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API sf_voxelize_options sf_voxelize_options_default(void);
 
 /** What the voxeliser did. */
 typedef struct sf_voxelize_report {
-    sf_fill fill;          /**< the way that was taken */
-    size_t boundary_edges; /**< directed edges without an opposite */
-    int flipped;           /**< 1 when the mesh was read inside out and turned */
-    uint64_t odd_rows;     /**< parity: rows with an odd number of crossings (leaks) */
-    uint64_t solid_voxels;
+    sf_fill fill;          /**< the way that was taken; SF_FILL_WINDING for SF_FILL_AUTO */
+    size_t boundary_edges; /**< directed edges without an opposite, once neighbours agree; 0 where
+                              parity or surface was asked for */
+    int flipped;           /**< 1 when the mesh was read inside out and turned as a whole */
+    uint64_t odd_rows;     /**< rows whose crossings do not add up to nothing (leaks): parity only,
+                              because winding closes what is open */
+    uint64_t solid_voxels; /**< voxels that were set */
 } sf_voxelize_report;
 
 /** A voxeliser: slices of a mesh one at a time, with memory for one slab. */
 typedef struct sf_voxelizer sf_voxelizer;
 
-/** Prepare. The mesh's arrays must outlive the voxeliser. */
+/**
+ * Prepare to voxelise a mesh on a lattice, slice by slice.
+ *
+ * Every corner is rounded once to 1/256 of a voxel (1/256 of the mean layer height along z), and
+ * what follows is exact on the rounded mesh: a voxel is solid where the winding number around its
+ * centre is at least one half, and a centre that lies on the surface counts as lying just beyond it
+ * in x, then in y, then in z. So two closed meshes that share a face give disjoint voxels whose
+ * union is that of both, and no closed mesh leaks. Corners further than two million voxels from the
+ * lattice's origin are refused; what leaves the lattice is cut off.
+ *
+ * SF_FILL_AUTO takes any mesh: where it is not closed, equal corners are merged, neighbours that
+ * disagree are turned (as few as possible in each patch), and holes are spanned by the surface on
+ * which the generalised winding number is one half. Around holes that number comes from bounds and,
+ * in boxes of 8 voxels, from interpolation with a measured margin; away from a half it is never in
+ * doubt. Last, a mesh that encloses a negative volume is turned as a whole. SF_FILL_WINDING takes
+ * all triangles as they look, SF_FILL_PARITY counts crossings and reports rows that leak.
+ *
+ * SF_FILL_SURFACE sets each voxel whose closed box the rounded surface touches.
+ *
+ * @param mesh        vertices in mm; its arrays must outlive the voxeliser; no triangles is fine
+ * @param lattice     where voxels lie; copied as far as needed; at most 2^20 layers
+ * @param options     NULL for the default
+ * @param allocator   NULL for the C library's; its `user` must outlive the voxeliser
+ * @param voxelizer   receives the new voxeliser
+ * @param fault       NULL, or receives a sentence on failure
+ * @return SF_OK; SF_ERR_ARGUMENT when a pointer is missing, an index names no vertex, or lattice or
+ * options are out of range; SF_ERR_UNSUPPORTED when a corner is not finite or too far away, or there
+ * are too many layers; SF_ERR_OVERFLOW for more than 2^32 - 1 vertices or triangles (2^30 where the
+ * mesh is not closed); SF_ERR_MEMORY.
+ * @cost linear in vertices and triangles; more memory (about 100 bytes a triangle, for a while)
+ * where the mesh is not closed.
+ * @threads any; one call at a time for each allocator.
+ * @source J. Pineda, "A parallel algorithm for polygon rasterization", 1988; A. Jacobson, L. Kavan,
+ * O. Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", 2013;
+ * G. Barill and others, "Fast winding numbers for soups and clouds", 2018; M. Schwarz, H.-P. Seidel,
+ * "Fast parallel surface and solid voxelization on GPUs", 2010.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_voxelizer_create(sf_mesh_view mesh, const sf_lattice *lattice,
                                                 const sf_voxelize_options *options,
                                                 const sf_allocator *allocator,
                                                 sf_voxelizer **voxelizer, sf_fault *fault);
+
+/**
+ * Free a voxeliser; NULL does nothing.
+ *
+ * @param voxelizer  the voxeliser, or NULL
+ * @cost constant.   @threads any; not while the voxeliser is in use.
+ * @since 0.1
+ */
 SF_API void sf_voxelizer_destroy(sf_voxelizer *voxelizer);
-/** Fill slice k of the lattice (any order; ascending is fastest). */
+
+/**
+ * Fill slice k of the lattice: the same bytes as that slice of sf_grid_voxelize().
+ *
+ * Slices can be asked for in any order and more than once; each asking counts in the report.
+ *
+ * @param voxelizer  the voxeliser; only its counters change
+ * @param k          layer, below the lattice's nz
+ * @param slice      nx by ny voxels; what it held is lost; bits past the width become zero
+ * @return SF_OK; SF_ERR_ARGUMENT when a pointer is missing, k is out of range or the stride too
+ * small; SF_ERR_SHAPE when the slice is not nx by ny.
+ * @cost the crossings of the slab of layers that k lies in, and one pass over the slice; no memory.
+ * @threads one at a time for each voxeliser.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_voxelizer_slice(sf_voxelizer *voxelizer, uint32_t k, sf_slice slice);
-/** What was found so far. */
+
+/**
+ * What was found so far: sums over all slices that were filled.
+ *
+ * @param voxelizer  the voxeliser
+ * @param report     receives the report
+ * @return SF_OK; SF_ERR_ARGUMENT when a pointer is NULL.
+ * @cost constant.   @threads one at a time for each voxeliser.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_voxelizer_report(const sf_voxelizer *voxelizer,
                                                 sf_voxelize_report *report);
 
-/** Fill a whole grid from a mesh. On failure the grid is as it was. */
+/**
+ * Fill a whole grid from a mesh; on failure the grid is as it was.
+ *
+ * The rules are those of sf_voxelizer_create(). A cancel is heeded after every slab of layers; so
+ * that nothing changes then, a grid that holds solid voxels is filled aside first when a task is
+ * given, which takes its memory a second time.
+ *
+ * @param grid       what it held is lost
+ * @param mesh       vertices in mm; no triangles is fine
+ * @param options    NULL for the default
+ * @param allocator  for scratch; NULL for the C library's
+ * @param task       NULL, or progress, cancel and threads; the result is the same bytes with any
+ * @param report     NULL, or receives the report on success
+ * @return SF_OK; SF_ERR_ARGUMENT, SF_ERR_UNSUPPORTED, SF_ERR_OVERFLOW, SF_ERR_MEMORY as
+ * sf_voxelizer_create(); SF_ERR_CANCELLED.
+ * @cost linear in triangles, crossings, and words of the grid; around holes, also in the voxels
+ * near the surface that spans them. 82,000 triangles on 512^3: 14 ms on one core.
+ * @threads any, on distinct grids; the task's hook may run up to 16 pieces at once.
+ * @source as sf_voxelizer_create().
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_grid_voxelize(sf_grid *grid, sf_mesh_view mesh,
                                              const sf_voxelize_options *options,
                                              const sf_allocator *allocator, sf_task *task,
