@@ -2,9 +2,12 @@
 // Which vertices are the same point.
 //
 // STL repeats each vertex for each facet, OBJ often for each normal; topology needs points. Points
-// are the same when all three coordinates compare equal: exact, order-independent, no tolerance
-// that could weld a thin wall. An open-addressing table of vertex numbers, at most half full, with
-// the bits of the coordinates mixed thoroughly, so that regular grids of points do not pile up.
+// are the same when their coordinates, rounded to a grain of 2^-40 of the largest, are equal. That
+// is four thousand times finer than neighbouring 32-bit floats of that size, so no wall is welded
+// however thin; but the sine that a program left as 6e-17 is the zero that it was meant to be.
+// Rounding, unlike a distance, has no order in which points are merged. An open-addressing table of
+// vertex numbers, at most half full, with the bits of the coordinates mixed thoroughly, so that
+// regular grids of points do not pile up.
 
 #include "mesh/mesh.h"
 
@@ -12,24 +15,50 @@
 #include "base/size.h"
 #include "base/status.h"
 
+#include <math.h>
 #include <string.h>
 
 #define NOBODY UINT32_MAX
 
-static uint64_t bits_of(double value)
+// A point in whole grains: numbers of at most 2^41, which doubles hold exactly.
+typedef struct grains {
+    double at[3];
+} grains;
+
+static grains round_point(const double *p, double grain)
 {
-    uint64_t bits;
-    value += 0.0; // -0 becomes 0
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
+    grains g;
+    for (int axis = 0; axis < 3; axis++) {
+        g.at[axis] = floor(p[axis] / grain + 0.5) + 0.0; // -0 becomes 0
+    }
+    return g;
+}
+
+// The power of two that is 2^-40 of the largest coordinate, or up to twice that.
+static double find_grain(sf_mesh_view mesh)
+{
+    double largest = 0, power = 1;
+    for (size_t i = 0; i < 3 * mesh.vertex_count; i++) {
+        double size = fabs(mesh.vertices[i]);
+        largest = size > largest ? size : largest;
+    }
+    while (power < largest && power < 0x1p1000) {
+        power *= 2;
+    }
+    while (power > largest && power > 0x1p-900) {
+        power /= 2;
+    }
+    return power * 0x1p-40;
 }
 
 // The finisher of splitmix64 over the three coordinates in turn.
-static uint64_t hash_of(const double p[3])
+static uint64_t hash_of(grains p)
 {
     uint64_t h = 0;
     for (int axis = 0; axis < 3; axis++) {
-        h += bits_of(p[axis]) + UINT64_C(0x9e3779b97f4a7c15);
+        uint64_t bits;
+        memcpy(&bits, &p.at[axis], sizeof bits);
+        h += bits + UINT64_C(0x9e3779b97f4a7c15);
         h = (h ^ (h >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
         h = (h ^ (h >> 27)) * UINT64_C(0x94d049bb133111eb);
         h ^= h >> 31;
@@ -37,9 +66,9 @@ static uint64_t hash_of(const double p[3])
     return h;
 }
 
-static int same_point(const double *p, const double *q)
+static int same_point(grains p, grains q)
 {
-    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+    return p.at[0] == q.at[0] && p.at[1] == q.at[1] && p.at[2] == q.at[2];
 }
 
 sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, uint32_t *ids,
@@ -60,11 +89,13 @@ sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, u
         return SF_ERR_MEMORY;
     }
     memset(table, 0xff, slots * sizeof *table);
+    double grain = find_grain(mesh);
     size_t distinct = 0;
     for (size_t v = 0; v < mesh.vertex_count; v++) {
-        const double *p = mesh.vertices + 3 * v;
+        grains p = round_point(mesh.vertices + 3 * v, grain);
         size_t slot = (size_t)hash_of(p) & (slots - 1);
-        while (table[slot] != NOBODY && !same_point(p, mesh.vertices + 3 * (size_t)table[slot])) {
+        while (table[slot] != NOBODY &&
+               !same_point(p, round_point(mesh.vertices + 3 * (size_t)table[slot], grain))) {
             slot = (slot + 1) & (slots - 1);
         }
         if (table[slot] == NOBODY) {

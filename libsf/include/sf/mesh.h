@@ -49,7 +49,8 @@ typedef struct sf_transform {
 /** Apply an affine map to every vertex; a map that mirrors flips every triangle. */
 SF_API SF_CHECKED sf_status sf_mesh_transform(sf_mesh *mesh, const sf_transform *transform);
 
-/** Copy of a mesh in which vertices of equal position are one (numbered by first appearance). */
+/** Copy of a mesh in which vertices of equal position are one (numbered by first appearance). Equal
+ * are positions that, rounded to 2^-40 of the largest coordinate, are the same. */
 SF_API SF_CHECKED sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator *allocator,
                                           sf_mesh **merged);
 

@@ -59,6 +59,30 @@ static void a_soup_is_read_by_position(void)
     sf_mesh_destroy(merged);
 }
 
+// A box of loose triangles: corners that differ by what rounding leaves are one, corners that
+// 32-bit floats tell apart are not.
+static void rounding_errors_are_no_holes(void)
+{
+    static shape box;
+    for (int apart = 0; apart < 2; apart++) {
+        double noise = apart ? 0x1p-23 : 1e-16;
+        memset(&box, 0, sizeof box);
+        start();
+        shape_box(&box, zero, one, 0);
+        for (size_t i = 0; i < 3 * box.triangle_count; i++) {
+            const double *p = box.vertices + 3 * (size_t)box.triangles[i];
+            double off = i % 2 == 0 ? noise : 0;
+            shape_vertex(&s, p[0] - off, p[1], p[2] + off);
+        }
+        for (uint32_t t = 0; t < box.triangle_count; t++) {
+            shape_triangle(&s, 3 * t, 3 * t + 1, 3 * t + 2);
+        }
+        sf_topology t = analyze();
+        CHECK_EQ(t.closed, !apart);
+        CHECK(apart ? t.vertex_count > 8 : t.vertex_count == 8);
+    }
+}
+
 static void a_missing_and_a_turned_face_are_seen(void)
 {
     start();
@@ -166,6 +190,7 @@ int main(void)
 {
     TEST(a_box_is_one_closed_shell);
     TEST(a_soup_is_read_by_position);
+    TEST(rounding_errors_are_no_holes);
     TEST(a_missing_and_a_turned_face_are_seen);
     TEST(inverted_and_touching_boxes_are_told_apart);
     TEST(short_memory_leaves_nothing_behind);
