@@ -7,17 +7,10 @@
 
 #include "io/readers.h"
 
-#include "base/memory.h"
 #include "base/status.h"
 #include "io/number.h"
 
 #include <string.h>
-
-// Corners of one face, growing as needed.
-typedef struct corners {
-    void *index; // uint32_t
-    size_t capacity, count;
-} corners;
 
 // The next token of a line that may be continued; 0 at its end.
 static size_t next_token(sfi_cursor *cursor, char token[SFI_TOKEN_SIZE])
@@ -70,46 +63,27 @@ static sf_status resolve(sfi_mesh_reader *reader, char *token, uint32_t *index)
     return SF_OK;
 }
 
-static sf_status read_face(sfi_mesh_reader *reader, corners *face)
+static sf_status read_face(sfi_mesh_reader *reader)
 {
     char token[SFI_TOKEN_SIZE];
-    face->count = 0;
-    while (next_token(reader->cursor, token) > 0) {
+    while (next_token(reader->cursor, token) > 0 && token[0] != '#') {
         uint32_t index = 0;
-        if (token[0] == '#') {
-            break;
-        }
         SF_TRY(resolve(reader, token, &index));
-        if (face->count >= reader->limits.triangles_max) {
-            return sfi_cursor_fault(reader->cursor, reader->fault, "a face has too many corners");
-        }
-        if (!sfi_grow_array(&reader->cursor->allocator, &face->index, &face->capacity,
-                            face->count + 1, sizeof(uint32_t))) {
-            return SF_ERR_MEMORY;
-        }
-        ((uint32_t *)face->index)[face->count++] = index;
+        SF_TRY(sfi_reader_corner(reader, index));
     }
-    return sfi_reader_polygon(reader, face->index, face->count);
+    return sfi_reader_polygon(reader);
 }
 
-static sf_status read_lines(sfi_mesh_reader *reader, corners *face)
+sf_status sfi_obj_read(sfi_mesh_reader *reader)
 {
     char token[SFI_TOKEN_SIZE];
     while (sfi_cursor_token(reader->cursor, token, 1) > 0) {
         if (strcmp(token, "v") == 0) {
             SF_TRY(read_vertex(reader));
         } else if (strcmp(token, "f") == 0 || strcmp(token, "fo") == 0) {
-            SF_TRY(read_face(reader, face));
+            SF_TRY(read_face(reader));
         }
         sfi_cursor_skip_line(reader->cursor);
     }
     return SF_OK;
-}
-
-sf_status sfi_obj_read(sfi_mesh_reader *reader)
-{
-    corners face = {NULL, 0, 0};
-    sf_status status = read_lines(reader, &face);
-    sfi_free_array(&reader->cursor->allocator, face.index, face.capacity, sizeof(uint32_t));
-    return status;
 }

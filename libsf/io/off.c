@@ -16,8 +16,6 @@
 
 #include <string.h>
 
-#define CORNERS_MAX 4096
-
 // Length of the keyword that the text begins with ([ST][C][N]OFF), 0 when it begins with none.
 static size_t keyword(const char *text, size_t have)
 {
@@ -83,18 +81,13 @@ static sf_status read_vertex(sfi_mesh_reader *reader)
 
 static sf_status read_face(sfi_mesh_reader *reader)
 {
-    uint32_t corners[CORNERS_MAX];
     int64_t count, index;
     SF_TRY(read_count(reader, "the number of corners of a face", &count));
-    if (count > CORNERS_MAX) {
-        return sfi_cursor_fault(reader->cursor, reader->fault,
-                                "a face has more than 4096 corners; split it");
-    }
     for (int64_t i = 0; i < count; i++) {
         SF_TRY(read_count(reader, "a vertex number", &index));
-        corners[i] = (uint32_t)index;
+        SF_TRY(sfi_reader_corner(reader, (uint32_t)index));
     }
-    SF_TRY(sfi_reader_polygon(reader, corners, (size_t)count));
+    SF_TRY(sfi_reader_polygon(reader));
     sfi_cursor_skip_line(reader->cursor);
     return SF_OK;
 }

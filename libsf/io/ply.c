@@ -70,8 +70,6 @@ typedef struct ply_reader {
     sfi_mesh_reader *mesh;
     ply_order order;
     size_t element_count, property_count;
-    void *corners; // uint32_t, of one face
-    size_t corner_capacity;
     ply_element elements[ELEMENTS_MAX];
     ply_property properties[PROPERTIES_MAX];
 } ply_reader;
@@ -144,6 +142,15 @@ static ply_role role_of(const ply_element *element, const char *name, int is_lis
     return ROLE_NONE;
 }
 
+static int has_role(const ply_reader *ply, const ply_element *element, ply_role role)
+{
+    int found = 0;
+    for (size_t i = 0; i < element->count; i++) {
+        found += ply->properties[element->first + i].role == role;
+    }
+    return found == 1;
+}
+
 static sf_status read_property(ply_reader *ply)
 {
     char token[SFI_TOKEN_SIZE];
@@ -170,21 +177,15 @@ static sf_status read_property(ply_reader *ply)
     }
     ply_element *element = &ply->elements[ply->element_count - 1];
     property.role = role_of(element, token, is_list);
+    if (property.role == ROLE_CORNERS && has_role(ply, element, ROLE_CORNERS)) {
+        property.role = ROLE_NONE; // a file that lists corners twice: the first list counts
+    }
     if (property.role == ROLE_CORNERS && property.type >= FLOAT32) {
         return fault(ply, "the corners of faces are declared as no integers; correct the header");
     }
     ply->properties[ply->property_count++] = property;
     element->count++;
     return SF_OK;
-}
-
-static int has_role(const ply_reader *ply, const ply_element *element, ply_role role)
-{
-    int found = 0;
-    for (size_t i = 0; i < element->count; i++) {
-        found += ply->properties[element->first + i].role == role;
-    }
-    return found == 1;
 }
 
 static sf_status check_header(const ply_reader *ply)
@@ -300,22 +301,19 @@ static sf_status read_whole(ply_reader *ply, ply_type type, uint32_t *whole)
 }
 
 // A list; corners are kept for the face, other lists are read and dropped.
-static sf_status read_list(ply_reader *ply, const ply_property *property, uint32_t *length)
+static sf_status read_list(ply_reader *ply, const ply_property *property)
 {
     double dropped;
-    SF_TRY(read_whole(ply, property->count_type, length));
-    for (uint32_t i = 0; i < *length; i++) {
+    uint32_t length = 0;
+    SF_TRY(read_whole(ply, property->count_type, &length));
+    for (uint32_t i = 0; i < length; i++) {
         if (property->role != ROLE_CORNERS) {
             SF_TRY(read_value(ply, property->type, &dropped));
             continue;
         }
         uint32_t corner = 0;
         SF_TRY(read_whole(ply, property->type, &corner));
-        if (!sfi_grow_array(&ply->mesh->cursor->allocator, &ply->corners, &ply->corner_capacity,
-                            (size_t)i + 1, sizeof(uint32_t))) {
-            return SF_ERR_MEMORY;
-        }
-        ((uint32_t *)ply->corners)[i] = corner;
+        SF_TRY(sfi_reader_corner(ply->mesh, corner));
     }
     return SF_OK;
 }
@@ -323,15 +321,12 @@ static sf_status read_list(ply_reader *ply, const ply_property *property, uint32
 static sf_status read_row(ply_reader *ply, const ply_element *element)
 {
     double xyz[3] = {0.0, 0.0, 0.0}, dropped;
-    uint32_t length = 0, other;
     int has_corners = 0;
     for (size_t i = 0; i < element->count; i++) {
         const ply_property *property = &ply->properties[element->first + i];
-        if (property->role == ROLE_CORNERS) {
-            has_corners = 1;
-            SF_TRY(read_list(ply, property, &length));
-        } else if (property->count_type != TYPE_NONE) {
-            SF_TRY(read_list(ply, property, &other));
+        if (property->count_type != TYPE_NONE) {
+            has_corners |= property->role == ROLE_CORNERS;
+            SF_TRY(read_list(ply, property));
         } else {
             SF_TRY(read_value(ply, property->type,
                               property->role == ROLE_NONE ? &dropped : &xyz[property->role]));
@@ -340,7 +335,7 @@ static sf_status read_row(ply_reader *ply, const ply_element *element)
     if (element->is_vertex) {
         return sfi_reader_vertex(ply->mesh, xyz);
     }
-    return has_corners ? sfi_reader_polygon(ply->mesh, ply->corners, length) : SF_OK;
+    return has_corners ? sfi_reader_polygon(ply->mesh) : SF_OK;
 }
 
 static sf_status read_elements(ply_reader *ply)
@@ -367,7 +362,6 @@ sf_status sfi_ply_read(sfi_mesh_reader *reader)
     if (status == SF_OK) {
         status = read_elements(ply);
     }
-    sfi_free_array(allocator, ply->corners, ply->corner_capacity, sizeof(uint32_t));
     sfi_free_array(allocator, ply, 1, sizeof *ply);
     return status;
 }

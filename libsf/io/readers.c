@@ -3,6 +3,7 @@
 
 #include "io/readers.h"
 
+#include "base/memory.h"
 #include "base/status.h"
 #include "io/number.h"
 
@@ -32,32 +33,49 @@ sf_status sfi_reader_vertex(sfi_mesh_reader *reader, const double xyz[3])
     return sf_mesh_add_vertices(reader->mesh, xyz, 1);
 }
 
-sf_status sfi_reader_polygon(sfi_mesh_reader *reader, const uint32_t *corners, size_t count)
+static sf_status too_many_triangles(const sfi_mesh_reader *reader)
 {
-    sf_mesh_view view = sf_mesh_get_view(reader->mesh);
+    return sfi_fault_set(
+        reader->fault, SF_ERR_OVERFLOW, reader->cursor->line, sfi_cursor_offset(reader->cursor),
+        "the file has more than %zu triangles; raise triangles_max", reader->limits.triangles_max);
+}
+
+sf_status sfi_reader_corner(sfi_mesh_reader *reader, uint32_t vertex)
+{
+    size_t vertices = sf_mesh_get_view(reader->mesh).vertex_count;
+    if (vertex >= vertices) {
+        return sfi_fault_set(reader->fault, SF_ERR_FORMAT, reader->cursor->line,
+                             sfi_cursor_offset(reader->cursor),
+                             "a face names vertex %lu, counted from 0, but only %zu are there",
+                             (unsigned long)vertex, vertices);
+    }
+    if (reader->corner_count > 2 && reader->corner_count - 2 >= reader->limits.triangles_max) {
+        return too_many_triangles(reader);
+    }
+    if (!sfi_grow_array(&reader->cursor->allocator, &reader->corners, &reader->corner_capacity,
+                        reader->corner_count + 1, sizeof(uint32_t))) {
+        return SF_ERR_MEMORY;
+    }
+    ((uint32_t *)reader->corners)[reader->corner_count++] = vertex;
+    return SF_OK;
+}
+
+sf_status sfi_reader_polygon(sfi_mesh_reader *reader)
+{
+    const uint32_t *corner = reader->corners;
+    size_t count = reader->corner_count, most = reader->limits.triangles_max;
     if (count < 3) {
         return sfi_cursor_fault(reader->cursor, reader->fault,
                                 "a face has fewer than three corners; remove it");
     }
-    if (count - 2 > reader->limits.triangles_max ||
-        view.triangle_count > reader->limits.triangles_max - (count - 2)) {
-        return sfi_fault_set(reader->fault, SF_ERR_OVERFLOW, reader->cursor->line,
-                             sfi_cursor_offset(reader->cursor),
-                             "the file has more than %zu triangles; raise triangles_max",
-                             reader->limits.triangles_max);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if (corners[i] >= view.vertex_count) {
-            return sfi_fault_set(reader->fault, SF_ERR_FORMAT, reader->cursor->line,
-                                 sfi_cursor_offset(reader->cursor),
-                                 "a face names vertex %lu, counted from 0, but only %zu are there",
-                                 (unsigned long)corners[i], view.vertex_count);
-        }
+    if (count - 2 > most || sf_mesh_get_view(reader->mesh).triangle_count > most - (count - 2)) {
+        return too_many_triangles(reader);
     }
     for (size_t i = 2; i < count; i++) {
-        uint32_t triangle[3] = {corners[0], corners[i - 1], corners[i]};
+        uint32_t triangle[3] = {corner[0], corner[i - 1], corner[i]};
         SF_TRY(sf_mesh_add_triangles(reader->mesh, triangle, 1));
     }
+    reader->corner_count = 0;
     return SF_OK;
 }
 
@@ -163,8 +181,9 @@ sf_status sf_mesh_read(sf_source source, sf_mesh_format format, const sf_read_li
         status = sf_mesh_create(allocator, &made);
     }
     if (status == SF_OK) {
-        sfi_mesh_reader reader = {&cursor, made, within, fault};
+        sfi_mesh_reader reader = {&cursor, made, within, fault, NULL, 0, 0};
         status = read_all(&reader, format);
+        sfi_free_array(&cursor.allocator, reader.corners, reader.corner_capacity, sizeof(uint32_t));
     }
     if (status == SF_ERR_MEMORY) {
         sfi_fault_set(fault, status, 0, 0, "there is not enough memory for this mesh");

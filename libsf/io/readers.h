@@ -14,6 +14,8 @@ typedef struct sfi_mesh_reader {
     sf_mesh *mesh;
     sf_read_limits limits;
     sf_fault *fault;
+    void *corners; // uint32_t, of the polygon being read
+    size_t corner_count, corner_capacity;
 } sfi_mesh_reader;
 
 sf_status sfi_stl_read(sfi_mesh_reader *reader);
@@ -24,9 +26,13 @@ sf_status sfi_off_read(sfi_mesh_reader *reader);
 // Append a vertex: finite and within the limits, or a fault at the cursor's place.
 sf_status sfi_reader_vertex(sfi_mesh_reader *reader, const double xyz[3]);
 
-// Append a polygon as a fan of triangles about its first corner; each corner is one of the vertices
-// read so far, counted from 0. A polygon of fewer than three corners is refused.
-sf_status sfi_reader_polygon(sfi_mesh_reader *reader, const uint32_t *corners, size_t count);
+// Add a corner to the polygon being read: one of the vertices read so far, counted from 0, or a
+// fault.
+sf_status sfi_reader_corner(sfi_mesh_reader *reader, uint32_t vertex);
+
+// Append the polygon as a fan of triangles about its first corner, and begin the next. A polygon of
+// fewer than three corners is refused.
+sf_status sfi_reader_polygon(sfi_mesh_reader *reader);
 
 // The next token as a number, on this line only or (lines != 0) anywhere.
 sf_status sfi_reader_number(sfi_mesh_reader *reader, double *value, int lines);

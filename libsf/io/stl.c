@@ -66,12 +66,12 @@ int sfi_stl_is_text(sfi_cursor *cursor)
 
 static sf_status add_facet(sfi_mesh_reader *reader, double corner[3][3])
 {
-    uint32_t first = (uint32_t)sf_mesh_get_view(reader->mesh).vertex_count;
     for (int i = 0; i < 3; i++) {
+        uint32_t vertex = (uint32_t)sf_mesh_get_view(reader->mesh).vertex_count;
         SF_TRY(sfi_reader_vertex(reader, corner[i]));
+        SF_TRY(sfi_reader_corner(reader, vertex));
     }
-    uint32_t corners[3] = {first, first + 1, first + 2};
-    return sfi_reader_polygon(reader, corners, 3);
+    return sfi_reader_polygon(reader);
 }
 
 static sf_status read_text(sfi_mesh_reader *reader)

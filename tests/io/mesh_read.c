@@ -91,6 +91,12 @@ static void reads_odd_but_valid_text(void)
     CHECK(text_is("\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\nv 0 1 0\nf 1 2 3", SF_MESH_FORMAT_AUTO, 3, 1));
     CHECK(text_is("\xef\xbb\xbfsolid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid",
                   SF_MESH_FORMAT_AUTO, 3, 1));
+    // Corners listed twice, under both names: the first list counts.
+    CHECK(text_is("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                  "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_index\n"
+                  "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+                  "3 0 1 2 3 0 1 2\n",
+                  SF_MESH_FORMAT_AUTO, 3, 1));
     // A name that is a keyword, and a comment with numbers.
     CHECK(text_is("solid endsolid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid\n",
                   SF_MESH_FORMAT_STL, 3, 1));
