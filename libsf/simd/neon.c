@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The kernels for 64-bit Arm, where NEON is always there.
+// The kernels for 64-bit Arm, where NEON is always there. A freestanding build may run where nobody
+// saves vector registers, so it has none.
 
 #include "simd/kernels.h"
 
-#if defined(__aarch64__)
+#if __STDC_HOSTED__ && defined(__aarch64__)
 
 #include <arm_neon.h>
 

@@ -2,11 +2,12 @@
 // The kernels for x86: SSE2 and AVX2, chosen while the program runs.
 //
 // Each function carries its own target attribute, so that no file needs compiler flags of its own
-// and nothing built for AVX2 can leak into code that runs everywhere.
+// and nothing built for AVX2 can leak into code that runs everywhere. Without a C library to ask
+// what the processor has (a freestanding build) there are no such kernels.
 
 #include "simd/kernels.h"
 
-#if defined(__x86_64__) || defined(__i386__)
+#if __STDC_HOSTED__ && (defined(__x86_64__) || defined(__i386__))
 
 #include <immintrin.h>
 

@@ -11,8 +11,6 @@
 #include "simd/kernels.h"
 #include "voxel/slice.h"
 
-#include <string.h>
-
 // Word i of a row of `width` voxels, padding cleared.
 static uint64_t row_word(const uint64_t *row, size_t i, size_t count, uint32_t width)
 {

@@ -9,8 +9,6 @@
 #include "base/bits.h"
 #include "base/status.h"
 
-#include <string.h>
-
 sf_status sfi_slice_validate(sf_slice slice)
 {
     if (slice.words == NULL || slice.width == 0 || slice.height == 0 ||
@@ -143,7 +141,11 @@ int sf_slice_equal(sf_slice a, sf_slice b)
     size_t last = sfi_row_words(a.width) - 1;
     for (uint32_t y = 0; y < a.height; y++) {
         const uint64_t *p = sfi_slice_row(a, y), *q = sfi_slice_row(b, y);
-        if (memcmp(p, q, last * sizeof *p) != 0 || ((p[last] ^ q[last]) & sfi_tail_mask(a.width))) {
+        uint64_t differ = (p[last] ^ q[last]) & sfi_tail_mask(a.width);
+        for (size_t i = 0; i < last; i++) {
+            differ |= p[i] ^ q[i];
+        }
+        if (differ != 0) {
             return 0;
         }
     }
