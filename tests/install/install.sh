@@ -1,0 +1,111 @@
+# Why: a library that builds but cannot be used from outside is of no use. Installs into an empty
+# folder, moves everything (so that nothing can be found where it was made for) and builds
+# consumer.c there: by pkg-config and by CMake, with the shared and with the static libraries.
+# usage: install.sh MESON BUILD VERSION COMPILER...
+set -u
+meson=$1 build=$2 version=$3
+shift 3
+compiler=$*
+source=$(cd "$(dirname "$0")" && pwd)
+here=$(mktemp -d) || exit 99
+trap 'rm -rf "$here"' EXIT
+unset DESTDIR
+count=0 failures=0
+
+ok() {
+    count=$((count + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $count - $2"
+    else
+        failures=$((failures + 1))
+        echo "not ok $count - $2"
+        sed 's/^/#   /' "$here/log" | tail -20
+    fi
+}
+
+skip() {
+    count=$((count + 1))
+    echo "ok $count - $1 # SKIP $2"
+}
+
+# can KIND: whether there is a libsf of that kind, KIND being shared or static.
+can() {
+    case $1 in
+    shared) ls "$here/whole/$libdir"/libsf.so* "$here/whole/$libdir"/libsf*.dylib ;;
+    static) ls "$here/whole/$libdir/libsf.a" ;;
+    esac 2>/dev/null | grep -q .
+}
+
+# The libraries of one kind alone, so that the linker has no choice; then what a user would type.
+by_pkg_config() {
+    cp -R "$here/whole" "$here/$1"
+    case $1 in
+    shared) flags='' unwanted='libsf*.a' ;;
+    static) flags=--static unwanted='libsf*.so* libsf*.dylib' ;;
+    esac
+    # shellcheck disable=SC2086
+    (
+        cd "$here/$1/$libdir" && rm -f $unwanted
+        export PKG_CONFIG_PATH="$here/$1/$libdir/pkgconfig:${PKG_CONFIG_PATH:-}"
+        [ "$(pkg-config --modversion libsf)" = "$version" ] || exit 1
+        $compiler "$source/consumer.c" -o "$here/$1/consumer" \
+            $(pkg-config $flags --cflags --libs libsf-io libsf) || exit 1
+        [ $1 = static ] || export LD_LIBRARY_PATH="$PWD" DYLD_LIBRARY_PATH="$PWD"
+        "$here/$1/consumer"
+    ) >"$here/log" 2>&1
+}
+
+by_cmake() {
+    static=OFF
+    [ "$1" = shared ] || static=ON
+    {
+        cmake -S "$source" -B "$here/cmake-$1" -DVERSION="$version" -DSTATIC=$static \
+            -DCMAKE_PREFIX_PATH="$here/whole" -DCMAKE_C_COMPILER="${compiler%% *}" &&
+            cmake --build "$here/cmake-$1" && "$here/cmake-$1/consumer"
+    } >"$here/log" 2>&1
+}
+
+# A version that is not there must be refused, or a program would find out while it runs.
+cmake_refuses() {
+    cmake -S "$source" -B "$here/refused" -DVERSION="$1" -DCMAKE_PREFIX_PATH="$here/whole" \
+        -DCMAKE_C_COMPILER="${compiler%% *}" >"$here/log" 2>&1 && return 1
+    grep -q 'version: ' "$here/log"
+}
+
+"$meson" install -C "$build" --no-rebuild --quiet --destdir "$here/root" >"$here/log" 2>&1
+ok $? "meson install into an empty folder"
+header=$(find "$here/root" -path '*/include/sf/base.h')
+prefix=${header%/include/sf/base.h}
+pc=$(find "$prefix" -name libsf.pc)
+libdir=$(dirname "$(dirname "${pc#"$prefix"/}")")
+mv "$prefix" "$here/whole"
+
+headers=$(cd "$here/whole/include/sf" && echo *.h)
+[ "$headers" = "base.h io.h mesh.h sf.h support.h voxel.h" ]
+ok $? "the public headers are installed, and no other: $headers"
+
+for kind in shared static; do
+    if ! can $kind; then
+        skip "pkg-config, $kind" "this build has no $kind library"
+        skip "CMake, $kind" "this build has no $kind library"
+        continue
+    fi
+    if command -v pkg-config >/dev/null; then
+        by_pkg_config $kind
+        ok $? "pkg-config, $kind"
+    else
+        skip "pkg-config, $kind" "pkg-config is not installed"
+    fi
+    if command -v cmake >/dev/null && command -v make >/dev/null; then
+        by_cmake $kind
+        ok $? "CMake, $kind"
+    else
+        skip "CMake, $kind" "cmake is not installed"
+    fi
+done
+if command -v cmake >/dev/null && command -v make >/dev/null; then
+    cmake_refuses 99.0 && cmake_refuses 0.0.9 && cmake_refuses "$version.1"
+    ok $? "CMake refuses versions that are not installed"
+fi
+echo "1..$count"
+exit $((failures > 0))
