@@ -10,9 +10,9 @@
 
 #include "base/status.h"
 #include "base/task.h"
-#include "base/wide.h"
 #include "simd/kernels.h"
 #include "voxel/slice.h"
+#include "voxel/wide.h"
 
 #include <string.h>
 

@@ -163,7 +163,10 @@ uint64_t sf_slice_popcount(sf_slice slice)
     for (uint32_t y = 0; y < slice.height; y++) {
         const uint64_t *row = sfi_slice_row(slice, y);
         uint64_t tail = row[last] & sfi_tail_mask(slice.width);
-        sum += kernels->popcount(row, last) + kernels->popcount(&tail, 1);
+        sum += kernels->popcount(&tail, 1);
+        if (last > 0) {
+            sum += kernels->popcount(row, last);
+        }
     }
     return sum;
 }

@@ -22,39 +22,131 @@ typedef struct sf_mesh_view {
     const double *vertices;    /**< x, y, z of each vertex, mm */
     size_t vertex_count;       /**< at most UINT32_MAX */
     const uint32_t *triangles; /**< three indices of each triangle, each < vertex_count */
-    size_t triangle_count;
+    size_t triangle_count;     /**< number of triangles */
 } sf_mesh_view;
 
 /** A mesh that owns its arrays and can be appended to. */
 typedef struct sf_mesh sf_mesh;
 
+/**
+ * Make an empty mesh.
+ *
+ * @param allocator  where its memory comes from, now and as it grows; NULL for the C library's
+ * @param mesh       receives the mesh
+ * @return SF_OK; SF_ERR_ARGUMENT: `mesh` is NULL; SF_ERR_MEMORY.
+ * @cost constant.   @threads any; one call at a time for each allocator.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_create(const sf_allocator *allocator, sf_mesh **mesh);
+
+/**
+ * Free a mesh; NULL does nothing.
+ *
+ * @param mesh  the mesh, or NULL
+ * @cost constant.   @threads one, and nobody else with this mesh.
+ * @since 0.1
+ */
 SF_API void sf_mesh_destroy(sf_mesh *mesh);
-/** View of the mesh; valid until the mesh is changed or destroyed. */
+
+/**
+ * View of a mesh, valid until the mesh is changed or destroyed.
+ *
+ * @param mesh  the mesh; NULL gives a view of nothing
+ * @return the view; its coordinates are finite and its indices name vertices, whatever happened.
+ * @cost constant.   @threads any, while nobody changes the mesh.
+ * @since 0.1
+ */
 SF_API sf_mesh_view sf_mesh_get_view(const sf_mesh *mesh);
-/** Append vertices (x, y, z each). Finite or refused. */
+
+/**
+ * Append vertices.
+ *
+ * @param mesh   the mesh
+ * @param xyz    3 * count coordinates in mm, vertex after vertex; not in the mesh's own arrays; may
+ *               be NULL where count is 0
+ * @param count  number of vertices
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a coordinate that is not finite; SF_ERR_OVERFLOW:
+ * more than UINT32_MAX vertices in all; SF_ERR_MEMORY.
+ * @cost O(count) when many calls are taken together.   @threads one per mesh.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_add_vertices(sf_mesh *mesh, const double *xyz, size_t count);
-/** Append triangles; every index must name a vertex that exists. */
+
+/**
+ * Append triangles, counter-clockwise seen from outside.
+ *
+ * @param mesh     the mesh
+ * @param indices  3 * count vertex numbers; not in the mesh's own arrays; may be NULL where count
+ *                 is 0. Triangles with two equal corners are taken.
+ * @param count    number of triangles
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, an index that names no vertex yet;
+ * SF_ERR_OVERFLOW: more triangles than the machine can address; SF_ERR_MEMORY.
+ * @cost O(count) when many calls are taken together.   @threads one per mesh.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_add_triangles(sf_mesh *mesh, const uint32_t *indices,
                                                   size_t count);
-/** Check a view: indices in range, coordinates finite. */
+
+/**
+ * Check a view: arrays where there are counts, indices in range, coordinates finite.
+ *
+ * @param mesh   the view
+ * @param fault  NULL, or receives a sentence that names the first vertex or triangle at fault
+ * @return SF_OK; SF_ERR_ARGUMENT: it is no mesh.
+ * @cost linear.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_validate(sf_mesh_view mesh, sf_fault *fault);
 
-/** An affine map: row-major 3x3 matrix, then a shift. p -> m p + shift. */
+/** An affine map: p -> matrix p + shift. */
 typedef struct sf_transform {
-    double matrix[9];
-    double shift_mm[3];
+    double matrix[9];   /**< row after row */
+    double shift_mm[3]; /**< added last */
 } sf_transform;
 
-/** Apply an affine map to every vertex; a map that mirrors flips every triangle. */
+/**
+ * Apply an affine map to every vertex; a map that mirrors turns every triangle around.
+ *
+ * @param mesh       the mesh, changed in place
+ * @param transform  the map; its determinant must be neither 0 nor infinite
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a map that flattens or is not finite;
+ * SF_ERR_OVERFLOW: a vertex that would not be finite any more.
+ * @cost two passes over the vertices, one over the triangles of a mirrored mesh.
+ * @threads one per mesh.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_transform(sf_mesh *mesh, const sf_transform *transform);
 
-/** Copy of a mesh in which vertices of equal position are one (numbered by first appearance). Equal
- * are positions that, rounded to 2^-40 of the largest coordinate, are the same. */
+/**
+ * Copy of a mesh in which vertices of equal position are one.
+ *
+ * Positions are equal when they are the same once rounded to a grain: the power of two that is
+ * 2^-40 to 2^-39 of the largest coordinate. The first vertex at a position stands for all, and
+ * vertices are numbered by first appearance. Triangles stay, in their order, also those that lose a
+ * corner.
+ *
+ * @param mesh       the mesh to copy
+ * @param allocator  for the copy and for scratch; NULL for the C library's
+ * @param merged     receives the copy
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, what sf_mesh_validate() refuses; SF_ERR_OVERFLOW:
+ * more vertices than the machine can address twice; SF_ERR_MEMORY.
+ * @cost linear, but for collisions in a hash table.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator *allocator,
                                           sf_mesh **merged);
 
-/** Smallest box around the vertices used by triangles; minimum then maximum. */
+/**
+ * Smallest box around the vertices that triangles use.
+ *
+ * @param mesh        the mesh
+ * @param minimum_mm  receives the lower corner
+ * @param maximum_mm  receives the upper corner
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what
+ * sf_mesh_validate() refuses.
+ * @cost linear.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_bounds(sf_mesh_view mesh, double minimum_mm[3],
                                            double maximum_mm[3]);
 
@@ -76,19 +168,49 @@ typedef struct sf_topology {
     int flipped;                 /**< closed, oriented, and the signed volume is negative */
 } sf_topology;
 
+/**
+ * How the triangles of a mesh hang together: holes, edges of too many triangles, shells, sense.
+ *
+ * Vertices of equal position are one point, in the sense of sf_mesh_merge(); the mesh itself need
+ * not be merged. Triangles with fewer than three points are counted, and take no further part.
+ *
+ * @param mesh       the mesh; its triangles are at most INT32_MAX
+ * @param allocator  for scratch, about 70 bytes a triangle; NULL for the C library's
+ * @param topology   receives the counts
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what sf_mesh_validate()
+ * refuses; SF_ERR_OVERFLOW: too many triangles; SF_ERR_MEMORY.
+ * @cost O(n log n) in the triangles.   @threads any.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_analyze(sf_mesh_view mesh, const sf_allocator *allocator,
                                             sf_topology *topology);
 
-/** Integrals over a closed mesh of density 1. Inertia about the centre of mass: xx yy zz xy xz yz.
- */
+/** Integrals over the solid that a closed mesh bounds, density 1. */
 typedef struct sf_mass {
-    double volume_mm3;
-    double area_mm2;
-    double com_mm[3];
-    double inertia_mm5[6]; /**< inertia tensor entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz (products
-                              negated) */
+    double volume_mm3;     /**< negative where the mesh is inside out */
+    double area_mm2;       /**< of all triangles */
+    double com_mm[3];      /**< centre of mass; the middle of the bounds where there is no volume */
+    double inertia_mm5[6]; /**< about the centre of mass: Ixx, Iyy, Izz, Ixy, Ixz, Iyz, the last
+                                three with the sign that they have in the tensor */
 } sf_mass;
 
+/**
+ * Volume, area, centre of mass and inertia of the solid that a mesh bounds.
+ *
+ * Exact but for rounding where the mesh is closed and oriented. Elsewhere only the area means
+ * anything: what is open has no volume, and the figures depend on where the mesh lies.
+ *
+ * @param mesh  the mesh
+ * @param mass  receives the integrals
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what sf_mesh_validate()
+ * refuses.
+ * @cost two passes over the triangles, in their order: the same bytes on every machine.
+ * @threads any.
+ * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
+ * for 3D Fabrication", SIGGRAPH 2013, equation 3, corrected; D. Eberly, "Polyhedral Mass Properties
+ * (Revisited)", 2002.
+ * @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_mesh_measure(sf_mesh_view mesh, sf_mass *mass);
 
 // ---------------------------------------------------------------------------------------------
@@ -158,16 +280,16 @@ typedef struct sf_voxelizer sf_voxelizer;
  * @param voxelizer   receives the new voxeliser
  * @param fault       NULL, or receives a sentence on failure
  * @return SF_OK; SF_ERR_ARGUMENT when a pointer is missing, an index names no vertex, or lattice or
- * options are out of range; SF_ERR_UNSUPPORTED when a corner is not finite or too far away, or there
- * are too many layers; SF_ERR_OVERFLOW for more than 2^32 - 1 vertices or triangles (2^30 where the
- * mesh is not closed); SF_ERR_MEMORY.
+ * options are out of range; SF_ERR_UNSUPPORTED when a corner is not finite or too far away, or
+ * there are too many layers; SF_ERR_OVERFLOW for more than 2^32 - 1 vertices or triangles (2^30
+ * where the mesh is not closed); SF_ERR_MEMORY.
  * @cost linear in vertices and triangles; more memory (about 100 bytes a triangle, for a while)
  * where the mesh is not closed.
  * @threads any; one call at a time for each allocator.
  * @source J. Pineda, "A parallel algorithm for polygon rasterization", 1988; A. Jacobson, L. Kavan,
  * O. Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", 2013;
- * G. Barill and others, "Fast winding numbers for soups and clouds", 2018; M. Schwarz, H.-P. Seidel,
- * "Fast parallel surface and solid voxelization on GPUs", 2010.
+ * G. Barill and others, "Fast winding numbers for soups and clouds", 2018; M. Schwarz, H.-P.
+ * Seidel, "Fast parallel surface and solid voxelization on GPUs", 2010.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_voxelizer_create(sf_mesh_view mesh, const sf_lattice *lattice,
@@ -244,17 +366,45 @@ SF_API SF_CHECKED sf_status sf_grid_voxelize(sf_grid *grid, sf_mesh_view mesh,
 
 /** How the surface of a grid is made. Fill with sf_surface_options_default(). */
 typedef struct sf_surface_options {
-    size_t struct_size;
-    int smooth_passes; /**< 0 (default): the exact voxel faces; else passes of smoothing */
+    size_t struct_size; /**< sizeof(sf_surface_options), set by the default */
+    int smooth_passes;  /**< 0 (default): the exact voxel faces; else passes of smoothing */
 } sf_surface_options;
 
+/**
+ * Options of a surface, each at its default.
+ *
+ * @return the options, by value: no smoothing.
+ * @cost constant.   @threads any.
+ * @since 0.1
+ */
 SF_API sf_surface_options sf_surface_options_default(void);
 
 /**
  * The boundary of the solid voxels as a closed, oriented 2-manifold in the lattice's frame.
  *
- * It stays 2-manifold after vertices of equal position are merged, and voxelising it on the same
- * lattice gives the same grid back (without smoothing).
+ * It stays 2-manifold after vertices of equal position are merged: where voxels touch only along an
+ * edge or in a corner, the vertices there are moved by a sixteenth of a voxel into the solid. So
+ * voxelising it on the same lattice gives the same grid back. Every voxel face is two triangles, or
+ * up to six beside such an edge; a grid without solid voxels gives a mesh without triangles.
+ *
+ * Smoothing takes steps out of the surface without shrinking it, and keeps every vertex within half
+ * a voxel of its place along each axis and the mesh closed. Voxels of what is smoothed are others,
+ * and may need support that those of the grid do not.
+ *
+ * @param grid       the voxels, only read; what lies outside is empty
+ * @param options    NULL for the default
+ * @param allocator  for the mesh and for scratch, 10 bytes for each column of voxels and, with
+ *                   smoothing, 52 for each vertex; NULL for the C library's
+ * @param task       NULL, or progress and cancel, which is heeded at every slice
+ * @param mesh       receives the mesh
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a negative
+ * number of passes; SF_ERR_OVERFLOW: more than UINT32_MAX vertices, or more triangles than the
+ * machine can address; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost two passes over the grid and the boundary; two over the triangles for each smoothing pass.
+ * @threads any; the grid is only read.
+ * @source for smoothing G. Taubin, "A Signal Processing Approach to Fair Surface Design", SIGGRAPH
+ * 1995, section 2.2; S. F. F. Gibson, "Constrained Elastic Surface Nets", MICCAI 1998.
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_surface(const sf_grid *grid, const sf_surface_options *options,
                                             const sf_allocator *allocator, sf_task *task,

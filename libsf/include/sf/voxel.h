@@ -122,8 +122,7 @@ typedef enum sf_isa {
  *
  * @param limit  the highest set to use; SF_ISA_AVX2 or any other value lifts the limit
  * @return the name of the set now in use: the best one that the processor has within the limit.
- * @cost constant.   @threads any; work under way on other threads may finish on the old set.
- * @since 0.1
+ * @cost constant.   @threads any; work under way elsewhere may end on the old set.   @since 0.1
  */
 SF_API const char *sf_isa_limit(sf_isa limit);
 
@@ -131,73 +130,189 @@ SF_API const char *sf_isa_limit(sf_isa limit);
 // Slices
 // ---------------------------------------------------------------------------------------------
 
-/** Words from row to row in slices that the library allocates: rows start on 64-byte boundaries. */
+/**
+ * Words from row to row in slices that the library allocates: rows start on 64-byte boundaries.
+ *
+ * @return the smallest multiple of 8 words that holds `width` voxels.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API size_t sf_slice_stride(uint32_t width);
 
-/** Whether voxel (x, y) is solid; a voxel outside is not. */
+/**
+ * Whether voxel (x, y) is solid.
+ *
+ * @return 1 or 0; 0 for a voxel outside the slice and for a slice without words.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API int sf_slice_get(sf_slice slice, uint32_t x, uint32_t y);
 
-/** Make voxel (x, y) solid (value != 0) or empty. SF_ERR_ARGUMENT when it lies outside. */
+/**
+ * Make voxel (x, y) solid (value != 0) or empty.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none (no words, a width or height outside its
+ * range, a stride that is too small), a voxel outside.
+ * @cost constant.   @threads one per slice.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_set(sf_slice slice, uint32_t x, uint32_t y, int value);
 
-/** Make every voxel of a rectangle solid or empty. */
+/**
+ * Make every voxel of a rectangle solid (value != 0) or empty; an empty rectangle changes nothing.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, a rectangle that leaves it.
+ * @cost the words of the rectangle.   @threads one per slice.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_fill(sf_slice slice, sf_rect rect, int value);
 
-/** dst = src. */
+/**
+ * dst = src.
+ *
+ * Both have one size, with any strides. dst may be src (the same words and stride), but must not
+ * lie across it; so too for both inputs of the four functions that follow.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, a dst across an input; SF_ERR_SHAPE: slices
+ * that differ in size.
+ * @cost one pass over the slices.   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_copy(sf_slice dst, sf_slice src);
 
-/** dst = a AND b. */
+/**
+ * dst = a AND b: solid where both are.
+ *
+ * @return as sf_slice_copy().
+ * @cost one pass.   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_and(sf_slice dst, sf_slice a, sf_slice b);
 
-/** dst = a OR b. */
+/**
+ * dst = a OR b: solid where either is.
+ *
+ * @return as sf_slice_copy().
+ * @cost one pass.   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_or(sf_slice dst, sf_slice a, sf_slice b);
 
-/** dst = a XOR b. */
+/**
+ * dst = a XOR b: solid where just one is.
+ *
+ * @return as sf_slice_copy().
+ * @cost one pass.   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_xor(sf_slice dst, sf_slice a, sf_slice b);
 
-/** dst = a AND NOT b. */
+/**
+ * dst = a AND NOT b: solid where a is and b is not.
+ *
+ * @return as sf_slice_copy().
+ * @cost one pass.   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_subtract(sf_slice dst, sf_slice a, sf_slice b);
 
-/** 1 when both have the same size and the same solid voxels, else 0. */
+/**
+ * Whether two slices have the same size and the same solid voxels.
+ *
+ * @return 1 or 0; 0 where either is no slice.
+ * @cost one pass, up to the first row that differs.   @threads any.   @since 0.1
+ */
 SF_API int sf_slice_equal(sf_slice a, sf_slice b);
 
-/** Number of solid voxels. */
+/**
+ * Number of solid voxels.
+ *
+ * @return the number; 0 for a slice that is none.
+ * @cost one pass.   @threads any.   @since 0.1
+ */
 SF_API uint64_t sf_slice_popcount(sf_slice slice);
 
-/** Smallest rectangle around the solid voxels; empty (all zero) when there are none. */
+/**
+ * Smallest rectangle around the solid voxels.
+ *
+ * @return the rectangle; all zero where nothing is solid, and for a slice that is none.
+ * @cost one pass at most.   @threads any.   @since 0.1
+ */
 SF_API sf_rect sf_slice_bounds(sf_slice slice);
 
-/** Exact integer sums over the solid voxels. */
+/**
+ * Exact integer sums over the solid voxels: their number, and those of x, y and their products.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, a NULL pointer.
+ * @cost one pass.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_measure(sf_slice slice, sf_slice_sums *sums);
 
 // ---------------------------------------------------------------------------------------------
 // Morphology
 // ---------------------------------------------------------------------------------------------
 
-/** The 3x3 square. */
+/**
+ * The 3x3 square.
+ *
+ * @return the element, by value.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API sf_element sf_element_box3(void);
 
-/** The plus: a voxel and its four edge neighbours. */
+/**
+ * The plus: a voxel and its four edge neighbours.
+ *
+ * @return the element, by value.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API sf_element sf_element_plus3(void);
 
-/** Lattice points of the ellipse (dx/rx)^2 + (dy/ry)^2 <= 1; radii in 1/65536 voxel, exact. */
+/**
+ * Lattice points of the ellipse (dx / rx)^2 + (dy / ry)^2 <= 1, with radii in 1/65536 voxel.
+ *
+ * Exact: no point is lost or won by rounding. A radius below a voxel gives no reach on its axis.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW: a radius of SF_REACH_MAX + 1
+ * voxels or more.
+ * @cost O(rx + ry), in voxels.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_element_ellipse(uint64_t rx_q16, uint64_t ry_q16,
                                                sf_element *element);
 
-/** Minkowski sum of two elements. SF_ERR_OVERFLOW when it would reach beyond SF_REACH_MAX. */
+/**
+ * Minkowski sum of two elements: dilating by it is dilating by one and then by the other.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, an element that breaks its promises;
+ * SF_ERR_OVERFLOW: a sum that reaches beyond SF_REACH_MAX. `sum` may be `a` or `b`.
+ * @cost the product of both reaches along y.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_element_sum(const sf_element *a, const sf_element *b,
                                            sf_element *sum);
 
-/** Dilation: dst is solid where the element, placed there, meets src. dst must not overlap src. */
+/**
+ * Dilation: dst is solid where the element, placed there, meets src or, beyond it, the border.
+ *
+ * Both have one size. dst must not overlap src.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, an element that breaks its promises, no
+ * such border, a dst that overlaps src; SF_ERR_SHAPE: slices that differ in size.
+ * @cost 2 reach_y + 1 unions of rows for each row, and a few shifts where half widths change.
+ * @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_dilate(sf_slice dst, sf_slice src, const sf_element *element,
                                             sf_border border);
 
-/** Erosion: dst is solid where the element, placed there, lies in src. dst must not overlap src. */
+/**
+ * Erosion: dst is solid where the element, placed there, lies in src and, beyond it, in the border.
+ *
+ * It is the complement of the dilation of the complement, the border complemented as well.
+ *
+ * @return as sf_slice_dilate().
+ * @cost as sf_slice_dilate().   @threads any that write to distinct slices.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_erode(sf_slice dst, sf_slice src, const sf_element *element,
                                            sf_border border);
 
 /**
- * dst = src AND dilate(below), outside empty: one step of trimming, in one pass. dst may be src.
+ * One step of trimming in one pass: dst = src AND dilate(below), outside empty.
+ *
+ * All three have one size. dst may be src, and must not overlap below.
+ *
+ * @return as sf_slice_dilate().
+ * @cost one pass for the square and the plus, else as sf_slice_dilate().
+ * @threads any that write to distinct slices.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_slice_and_dilate(sf_slice dst, sf_slice src, sf_slice below,
                                                 const sf_element *element);
@@ -206,23 +321,55 @@ SF_API SF_CHECKED sf_status sf_slice_and_dilate(sf_slice dst, sf_slice src, sf_s
 // Runs and components
 // ---------------------------------------------------------------------------------------------
 
-/** Number of runs of solid voxels: the capacity that sf_slice_runs needs. */
+/**
+ * Number of runs of solid voxels: the capacity that sf_slice_runs() needs.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, a NULL pointer; SF_ERR_OVERFLOW: more runs
+ * than a size_t holds.
+ * @cost one pass.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_run_count(sf_slice slice, size_t *count);
 
-/** The runs in row order, left to right, labels 0. SF_ERR_CAPACITY, with the need in count. */
+/**
+ * The runs of a slice in row order, from left to right, with label 0.
+ *
+ * @return SF_OK; SF_ERR_CAPACITY: more runs than places, with their number in `count` and nothing
+ * else written; else as sf_slice_run_count(). `runs` may be NULL where there are none.
+ * @cost two passes, and the runs.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_runs(sf_slice slice, sf_run *runs, size_t capacity,
                                           size_t *count);
 
-/** Paint runs into a slice (solid where a run is, empty elsewhere). */
+/**
+ * Paint runs, in any order and free to overlap: dst is solid where a run is, and empty elsewhere.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a slice that is none, a NULL pointer, a run that is empty or
+ * leaves the slice.
+ * @cost one pass, and the runs.   @threads one per slice.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_slice_from_runs(sf_slice dst, const sf_run *runs, size_t count);
 
 /**
- * Label runs in row order with their connected component, in place, 0-based in order of first run.
+ * Label runs with their connected component, in place, numbered from 0 by first run.
+ *
+ * The runs are those of sf_slice_runs(): in row order, from left to right, with an empty voxel
+ * between those of one row. Labels on entry are ignored.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such connectivity, runs that are empty or out
+ * of order; SF_ERR_OVERFLOW: more than UINT32_MAX runs.
+ * @cost nearly linear in the runs; no memory.   @threads one per array.
+ * @source R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975. @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_runs_label(sf_run *runs, size_t count, sf_connectivity connectivity,
                                           uint32_t *component_count);
 
-/** Area and bounds of each labelled component. */
+/**
+ * Area and bounds of each labelled component; places that no run names become zero.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, an empty run; SF_ERR_CAPACITY: a label without a
+ * place.
+ * @cost linear in runs and places.   @threads any that write to distinct arrays.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_runs_measure(const sf_run *runs, size_t count,
                                             sf_component *components, size_t capacity);
 
@@ -240,45 +387,107 @@ typedef struct sf_lattice {
     double origin_mm[3];      /**< x, y, z */
 } sf_lattice;
 
-/** Check a lattice: counts within limits, pitches and heights finite and positive. */
+/**
+ * Check a lattice: counts within limits, lengths finite and positive.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a count of 0, a pitch or height that is no
+ * number in (0, 1e12], an origin beyond 1e12; SF_ERR_OVERFLOW: a count beyond its limit.
+ * @cost constant, or O(nz) with heights.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_lattice_validate(const sf_lattice *lattice);
 
-/** Height of layer k in mm. */
+/**
+ * Height of layer k in mm; k must be below nz.
+ *
+ * @return the height.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API double sf_lattice_layer_height(const sf_lattice *lattice, uint32_t k);
 
-/** z of the bottom of layer k in mm, in the lattice's frame; k may be nz, which gives the top. */
+/**
+ * z of the bottom of layer k in mm, in the lattice's frame; k may be nz, which gives the top.
+ *
+ * @return z; with heights it is their sum from the lowest up, so that it is the same everywhere.
+ * @cost constant, or O(k) with heights.   @threads any.   @since 0.1
+ */
 SF_API double sf_lattice_layer_bottom(const sf_lattice *lattice, uint32_t k);
 
 /** A stack of slices that owns its memory. */
 typedef struct sf_grid sf_grid;
 
-/** Make an empty grid (all voxels empty) on a lattice, which is copied, heights included. */
+/**
+ * Make a grid with all voxels empty on a lattice, which is copied, heights included.
+ *
+ * @return SF_OK; what sf_lattice_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW:
+ * more bytes than a size_t holds; SF_ERR_MEMORY. `allocator` may be NULL.
+ * @cost one pass over the new memory.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_grid_create(const sf_lattice *lattice, const sf_allocator *allocator,
                                            sf_grid **grid);
 
-/** Make a copy of a grid. */
+/**
+ * Make a copy of a grid, with memory from `allocator`, which may be NULL and another than its own.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY.
+ * @cost one pass.   @threads any; the grid is only read.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_grid_clone(const sf_grid *grid, const sf_allocator *allocator,
                                           sf_grid **clone);
 
-/** Free a grid; NULL does nothing. */
+/**
+ * Free a grid; NULL does nothing.
+ *
+ * @cost constant.   @threads one, and nobody else with this grid.   @since 0.1
+ */
 SF_API void sf_grid_destroy(sf_grid *grid);
 
-/** The grid's lattice; its heights_mm, if any, belong to the grid. */
+/**
+ * The lattice of a grid, which must not be NULL.
+ *
+ * @return the lattice, by value; its heights_mm, if any, belong to the grid.
+ * @cost constant.   @threads any.   @since 0.1
+ */
 SF_API sf_lattice sf_grid_lattice(const sf_grid *grid);
 
-/** View of slice k; a slice with words == NULL when k is out of range. */
+/**
+ * View of slice k, to read or to write: it lives as long as the grid.
+ *
+ * @return the slice; one without words when k is out of range or the grid NULL.
+ * @cost constant.   @threads any; distinct slices may be written at once.   @since 0.1
+ */
 SF_API sf_slice sf_grid_slice(const sf_grid *grid, uint32_t k);
 
-/** 1 when both grids have the same counts and the same solid voxels. */
+/**
+ * Whether two grids have the same counts and the same solid voxels; lengths are not compared.
+ *
+ * @return 1 or 0; 0 where either is NULL.
+ * @cost one pass, up to the first row that differs.   @threads any.   @since 0.1
+ */
 SF_API int sf_grid_equal(const sf_grid *a, const sf_grid *b);
 
-/** Number of solid voxels. */
+/**
+ * Number of solid voxels.
+ *
+ * @return the number; 0 for NULL.
+ * @cost one pass.   @threads any.   @since 0.1
+ */
 SF_API uint64_t sf_grid_popcount(const sf_grid *grid);
 
-/** Smallest box around the solid voxels; empty (all zero) when there are none. */
+/**
+ * Smallest box around the solid voxels.
+ *
+ * @return the box; all zero when there are none, or for NULL.
+ * @cost one pass at most.   @threads any.   @since 0.1
+ */
 SF_API sf_box sf_grid_bounds(const sf_grid *grid);
 
-/** Exact moments of the solid voxels. */
+/**
+ * Exact moments of the solid voxels, in voxel indices; a failing call leaves `moments` as it was.
+ *
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer other than `task`; SF_ERR_CANCELLED, which is
+ * heeded after every 64 slices.
+ * @cost one pass, shared among the task's threads.   @threads any.   @since 0.1
+ */
 SF_API SF_CHECKED sf_status sf_grid_measure(const sf_grid *grid, sf_task *task,
                                             sf_moments *moments);
 

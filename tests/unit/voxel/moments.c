@@ -1,8 +1,8 @@
 // Why: mass, centre of mass and inertia of a voxel shape are these sums. They must be exact, also
 // where 64 bits would not hold them, and the same for any number of threads (TRUST 89).
 
-#include "base/wide.h"
 #include "random_slice.h"
+#include "voxel/wide.h"
 
 #include <sf/voxel.h>
 

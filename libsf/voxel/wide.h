@@ -2,8 +2,8 @@
 // Sums in 128 bits, for sums over grids that 64 bits would not hold. No 128-bit integers of the
 // compiler's are needed, so a chip without them has the same sums.
 
-#ifndef SF_BASE_WIDE_H
-#define SF_BASE_WIDE_H
+#ifndef SF_VOXEL_WIDE_H
+#define SF_VOXEL_WIDE_H
 
 #include <stdint.h>
 
