@@ -1,0 +1,19 @@
+// Shapes to time on, the same in every run.
+
+#ifndef SF_BENCH_SCENES_H
+#define SF_BENCH_SCENES_H
+
+#include <sf/mesh.h>
+
+// n^3 voxels of 1 mm, a third of them in sixty balls; or each at random, one in two.
+sf_grid *scene_balls(uint32_t n);
+sf_grid *scene_noise(uint32_t n);
+
+// A layer of a resin printer's plate: parts, and thousands of supports. Free its words.
+sf_slice scene_plate(uint32_t width, uint32_t height);
+sf_slice scene_noise_slice(uint32_t width, uint32_t height);
+
+// A sphere with bumps in the box [0, size]^3, 20 * n^2 triangles with shared vertices.
+sf_mesh *scene_bumpy_sphere(uint32_t n, double size);
+
+#endif
