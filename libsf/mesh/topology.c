@@ -5,7 +5,10 @@
 // three directed edges; triangles with fewer are counted as degenerate and left out. Sorting the
 // edges by their pair of points brings the triangles at one edge together: one is a boundary, more
 // than two a non-manifold edge, two that run it the same way a misoriented one. Shells are joined
-// over edges by union-find with path halving. Everything is exact and in O(n log n).
+// over edges by union-find with path halving. Everything is exact, and linear but for union-find:
+// points are numbers, so two counting passes sort the edges, and stability leaves those of one pair
+// in the order of their triangles. (The C library's qsort would take memory behind the caller's
+// back, and time that depends on whose library it is.)
 
 #include "mesh/mesh.h"
 
@@ -13,7 +16,6 @@
 #include "base/size.h"
 #include "base/status.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 // An edge as sorting sees it: the lower point, the upper point, and which way which triangle runs
@@ -30,25 +32,14 @@ typedef struct work {
     sf_mesh_view mesh;
     uint32_t *ids;    // point of each vertex
     uint32_t *parent; // of each triangle, for union-find
-    edge *edges;
+    edge *edges, *sorted;
+    size_t *places; // one a point: where its edges go, then whether it is used
     size_t edge_count;
     double *volume; // of the shell with this root
     uint8_t *flags; // of the shell with this root
 } work;
 
-enum { SHELL_OPEN = 1, SHELL_MISORIENTED = 2, POINT_USED = 4 };
-
-static int by_points(const void *left, const void *right)
-{
-    const edge *a = left, *b = right;
-    if (a->low != b->low) {
-        return a->low < b->low ? -1 : 1;
-    }
-    if (a->high != b->high) {
-        return a->high < b->high ? -1 : 1;
-    }
-    return a->triangle < b->triangle ? -1 : a->triangle > b->triangle;
-}
+enum { SHELL_OPEN = 1, SHELL_MISORIENTED = 2 };
 
 static uint32_t root_of(uint32_t *parent, uint32_t t)
 {
@@ -92,9 +83,27 @@ static void collect_edges(work *w, sf_topology *found)
             w->edges[w->edge_count++] = e;
         }
     }
-    if (w->edge_count > 0) {
-        qsort(w->edges, w->edge_count, sizeof *w->edges, by_points);
+}
+
+// sorted = edges by their higher or their lower point, those of one point in the order they had.
+static void sort_by(work *w, size_t points, int by_high)
+{
+    memset(w->places, 0, points * sizeof *w->places);
+    for (size_t i = 0; i < w->edge_count; i++) {
+        w->places[by_high ? w->edges[i].high : w->edges[i].low]++;
     }
+    size_t sum = 0;
+    for (size_t p = 0; p < points; p++) {
+        size_t count = w->places[p];
+        w->places[p] = sum;
+        sum += count;
+    }
+    for (size_t i = 0; i < w->edge_count; i++) {
+        w->sorted[w->places[by_high ? w->edges[i].high : w->edges[i].low]++] = w->edges[i];
+    }
+    edge *swap = w->edges;
+    w->edges = w->sorted;
+    w->sorted = swap;
 }
 
 // The triangles at one edge are edges[first..end).
@@ -171,13 +180,11 @@ static void count_shells(work *w, sf_topology *found)
 
 static void count_vertices(work *w, size_t points, sf_topology *found)
 {
-    // The edge array is done with; its bytes serve as marks.
-    uint8_t *used = (uint8_t *)w->edges;
-    memset(used, 0, points);
+    memset(w->places, 0, points * sizeof *w->places);
     for (size_t i = 0; i < 3 * w->mesh.triangle_count; i++) {
-        uint8_t *mark = &used[w->ids[w->mesh.triangles[i]]];
-        found->vertex_count += *mark == 0;
-        *mark = POINT_USED;
+        size_t *is_used = &w->places[w->ids[w->mesh.triangles[i]]];
+        found->vertex_count += *is_used == 0;
+        *is_used = 1;
     }
 }
 
@@ -189,22 +196,23 @@ static int take_memory(work *w)
     }
     w->ids = sfi_alloc_array(&w->allocator, vertices, sizeof *w->ids);
     w->parent = sfi_alloc_array(&w->allocator, triangles, sizeof *w->parent);
-    // The edges, or a byte for each point afterwards.
-    w->edges =
-        sfi_alloc_array(&w->allocator, edges > vertices ? edges : vertices, sizeof *w->edges);
+    w->edges = sfi_alloc_array(&w->allocator, edges, sizeof *w->edges);
+    w->sorted = sfi_alloc_array(&w->allocator, edges, sizeof *w->sorted);
+    w->places = sfi_alloc_array(&w->allocator, vertices, sizeof *w->places);
     w->volume = sfi_alloc_array(&w->allocator, triangles, sizeof *w->volume);
     w->flags = sfi_alloc_array(&w->allocator, triangles, 1);
-    return w->ids != NULL && w->parent != NULL && w->edges != NULL && w->volume != NULL &&
-           w->flags != NULL;
+    return w->ids != NULL && w->parent != NULL && w->edges != NULL && w->sorted != NULL &&
+           w->places != NULL && w->volume != NULL && w->flags != NULL;
 }
 
 static void free_memory(work *w)
 {
     size_t triangles = w->mesh.triangle_count, vertices = w->mesh.vertex_count;
-    size_t edges = 3 * triangles > vertices ? 3 * triangles : vertices;
     sfi_free_array(&w->allocator, w->ids, vertices, sizeof *w->ids);
     sfi_free_array(&w->allocator, w->parent, triangles, sizeof *w->parent);
-    sfi_free_array(&w->allocator, w->edges, edges, sizeof *w->edges);
+    sfi_free_array(&w->allocator, w->edges, 3 * triangles, sizeof *w->edges);
+    sfi_free_array(&w->allocator, w->sorted, 3 * triangles, sizeof *w->sorted);
+    sfi_free_array(&w->allocator, w->places, vertices, sizeof *w->places);
     sfi_free_array(&w->allocator, w->volume, triangles, sizeof *w->volume);
     sfi_free_array(&w->allocator, w->flags, triangles, 1);
 }
@@ -216,6 +224,8 @@ static sf_status analyze(work *w, sf_topology *found)
     memset(w->volume, 0, w->mesh.triangle_count * sizeof *w->volume);
     memset(w->flags, 0, w->mesh.triangle_count);
     collect_edges(w, found);
+    sort_by(w, points, 1);
+    sort_by(w, points, 0);
     for (size_t first = 0, end; first < w->edge_count; first = end) {
         end = edge_end(w, first);
         judge_edge(w, first, end, found);

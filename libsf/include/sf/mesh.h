@@ -175,11 +175,11 @@ typedef struct sf_topology {
  * not be merged. Triangles with fewer than three points are counted, and take no further part.
  *
  * @param mesh       the mesh; its triangles are at most INT32_MAX
- * @param allocator  for scratch, about 70 bytes a triangle; NULL for the C library's
+ * @param allocator  for scratch, about 125 bytes a triangle; NULL for the C library's
  * @param topology   receives the counts
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what sf_mesh_validate()
  * refuses; SF_ERR_OVERFLOW: too many triangles; SF_ERR_MEMORY.
- * @cost O(n log n) in the triangles.   @threads any.
+ * @cost nearly linear in vertices and triangles.   @threads any.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_analyze(sf_mesh_view mesh, const sf_allocator *allocator,
