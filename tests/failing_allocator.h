@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An allocator that counts what is out, refuses the k-th request and every later one, and knows
 // when memory is freed with another size than it was taken with.
 

@@ -16,7 +16,6 @@ typedef struct sfi_window {
     uint32_t k0, k1, y0, y1;
 } sfi_window;
 
-
 // Crossings in the order of discovery: row number in the high half, step in the low half.
 typedef struct sfi_crossings {
     uint64_t *items;

@@ -6,9 +6,9 @@
 
 #include <sf/mesh.h>
 
-// Number the distinct positions of the vertices, rounded to 2^-40 of the largest coordinate, by first
-// appearance. `ids` has room
-// for vertex_count numbers; `count` gets how many there are. SF_ERR_MEMORY changes nothing.
+// Number the distinct positions of the vertices, rounded to 2^-40 of the largest coordinate, by
+// first appearance. `ids` has room for vertex_count numbers; `count` gets how many there are.
+// SF_ERR_MEMORY changes nothing.
 sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, uint32_t *ids,
                              size_t *count);
 

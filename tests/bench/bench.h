@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Timing of one job beside the limit that memory sets to it, in the same rounds.
 
 #ifndef SF_BENCH_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Passes over words, compiled for the widest vectors that the processor has, so that a limit is not
 // slower than it need be and no job looks better than it is.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The least that memory asks for: passes over words that do nothing of use.
 
 #ifndef SF_BENCH_LIMITS_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // sf-bench: the heavy jobs, each beside what memory alone would take in the same rounds.
 //
 //     sf-bench [--json FILE] [--rounds N] [--isa NAME] [JOB]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From triangles to voxels and back. The limit of voxelising clears the grid and goes over it once;
 // that of surfacing reads the grid twice, once to count and once to write, and fills the arrays.
 

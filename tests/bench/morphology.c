@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Dilation of a layer by disks. The limit copies the layer.
 
 #include "bench.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rounds: every round prepares and times the limit, then prepares and times the job. What the
 // neighbours of a shared machine do falls on both, so the median of the ratios within rounds is the
 // figure to compare; milliseconds alone come and go by a third. Time is that of the processor on

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Job and limit in turns.
 
 #ifndef SF_BENCH_ROUNDS_H

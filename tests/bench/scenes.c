@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes to time on: balls and noise as the two ends of what a grid can hold, a printer's plate,
 // and a sphere whose bumps keep its triangles from lying in any special direction.
 

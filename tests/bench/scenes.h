@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes to time on, the same in every run.
 
 #ifndef SF_BENCH_SCENES_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What reads voxels and tells numbers: moments and components. The limit reads the same words.
 
 #include "bench.h"

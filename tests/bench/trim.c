@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trim, whole, of shapes and of noise. The limit reads and writes the grid once where it stands:
 // there is no way to trim without doing so. Every round starts from the untrimmed shape.
 

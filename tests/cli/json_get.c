@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Prints one value of a JSON file: json-get FILE a.b.2.c. Text is printed bare, everything else as
 // JSON; a list or an object prints its number of members. Exit status 1 when there is no such value
 // or the file is not JSON.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: a printer's processor runs this checker from a library that has neither malloc nor floating
 // point. The program links libsf-core alone, gives it memory from a static array, pushes shapes in
 // all three forms and holds every count against a judgement voxel by voxel (TRUST 1 to 3).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: what somebody else's program looks like. It must compile and run against nothing but what is
 // installed: both headers, a function of each library.
 #include <sf/io.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stack on the disk stands whole or not at all, an earlier stack gives way to a new one, and
 // nobody's other files are ever removed. Guards: issue 2 part 6 (atomic save), nothing leaves half
 // a file.

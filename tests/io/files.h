@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small mesh files made in memory, in every format and order of bytes, and reading them under an
 // allocator that counts. The procedural twins of what stands in shared/data.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A folder of the test's own beneath the current one, emptied and removed at the end.
 
 #ifndef SF_TEST_FOLDER_H

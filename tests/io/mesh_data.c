@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meshes of shared/data, made by many programs: each gives the number of triangles that was
 // counted by another reader, and of those in broken/ only the three that hold no shape are refused,
 // with a line or a byte. Guards: issue 2 (broken/, TRUTH.md). The procedural twins are in mesh_read

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every format, every variant: the unit cube must come out as twelve triangles of volume one,
 // whatever the file around it looks like. Guards: issue 2 part 4 (readers), the procedural twins of
 // shared/data.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What must not be read is refused with one sentence that names a line or a byte, takes no memory
 // in proportion to what a file claims, and leaves nothing behind. Guards: issue 2 (broken/), TRUST
 // B4, B5, B6 (counts, indices and tokens from a file), and the strong guarantee under a failing

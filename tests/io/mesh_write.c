@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh that is written and read again is the same mesh: bit for bit in OBJ and PLY, to the
 // nearest float in STL. A sink that fails is told of, and what cannot be written is refused before
 // the first byte. Guards: issue 2 part 4 (writers), the strong guarantee.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every coordinate of every text file passes through these few functions, so they are compared with
 // the C library's (in the C locale), which is slow but right: nearest double for any text, and a
 // text that reads back as the same double. Guards: the number parser of issue 2, part 4; TRUST B3

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whoever looks at a path while a file is saved there sees the old file or the new one, whole, and
 // nothing else is left in the folder, whatever fails. Guards: issue 2 part 6 (atomic save), the
 // strong guarantee.

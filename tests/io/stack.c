@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stack that is written and read again is the same grid on the same lattice under the same rule,
 // and written once more the same bytes. Pictures that others made are read the right way up.
 // Guards: TRUST 79 (read(write(S)) = S, write of read of write equal bytes), issue 2 part 6.

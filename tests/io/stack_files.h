@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A folder in memory, and pictures made by hand: PNG with nothing compressed, PBM.
 
 #ifndef SF_TEST_STACK_FILES_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stack that is cut, changed or lies is refused with a sentence, before memory is taken for what
 // it claims; a write that fails at any byte leaves no stack behind. Guards: TRUST B4, B5, the
 // strong guarantee, issue 2 (nothing leaves half a file).

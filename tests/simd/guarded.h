@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows of words that end at a page nobody may touch, or start right after one: an over-read of one
 // byte ends the test program.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: every instruction set must give the bits of the reference, which is the specification, at
 // every width and at the very end of memory (TRUST 31, 89, B20).
 

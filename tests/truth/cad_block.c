@@ -1,6 +1,7 @@
-// Why: mass, centre of mass and inertia are what everything about balance rests on. A block from a CAD
-// system must have the figures of the CAD system, within the tolerance that their source states (the
-// volumes of other meshes: io mesh_data). Procedural twin: unit/mesh measure.
+// SPDX-License-Identifier: MIT
+// Why: mass, centre of mass and inertia are what everything about balance rests on. A block from a
+// CAD system must have the figures of the CAD system, within the tolerance that their source states
+// (the volumes of other meshes: io mesh_data). Procedural twin: unit/mesh measure.
 
 #include "data_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: a resin printer's own slices of a mesh are a judge from outside. The reference print of a
 // slicer, sliced again on its pixels, must have the slicer's components in every layer and its
 // pixel counts within 0.1 % (TRUTH.md beside the data). The twin that always runs is a plate with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writing a grid as a stack, calling the verifier on it, and holding what it says of corrupted
 // voxels against the library's own check of the whole grid. The path of the verifier is the first
 // argument of each program here.

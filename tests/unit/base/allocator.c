@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: rows of voxels must start on 64-byte boundaries whatever malloc gives, growing must keep
 // what is there, and a refusal must leave everything as it was.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: width * height * depth is where voxel libraries overflow (TRUST B1); the helpers must refuse
 // exactly when the true result does not fit.
 

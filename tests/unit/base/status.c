@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: the codes are part of the ABI: numbers are fixed, and each has a name and a sentence.
 
 #include "test.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: TRUST 86: progress lies in [0, 1] and never falls, a cancel sticks, and a host's threads see
 // each index exactly once.
 

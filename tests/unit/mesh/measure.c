@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: mass properties are what balance will stand on; they must agree with closed forms, move with
 // the mesh, and keep their digits far from the origin.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small closed meshes for tests: a box, an icosphere, put together from triangles by hand.
 
 #ifndef SF_TEST_SHAPES_H

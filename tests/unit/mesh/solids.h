@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes made by rule, and a slow judge of what lies inside them, for the tests of the voxeliser.
 //
 // The judge knows nothing of rows or of edges: it adds up solid angles (A. van Oosterom, J.

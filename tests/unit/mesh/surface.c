@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: the surface of any grid must be a closed, oriented 2-manifold, also after vertices of equal
 // position are merged, which is what every reader of an STL does; its volume must be that of the
 // voxels, but for the sixteenths; and voxelising it on the same lattice must give the grid back,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: whether a mesh is closed, oriented and in one piece decides how it is filled; the counts
 // must be those of a person looking at it, and short memory must leave nothing behind (TRUST B8,
 // 85).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: SF_FILL_AUTO makes the meant solid out of the meshes that people have: inside out, some
 // triangles turned, faces missing, corners not shared, shells that overlap or touch. Procedural
 // twins of the broken files of the design notes' collection, which are tested where SF_DATA is set.

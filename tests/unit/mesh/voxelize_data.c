@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: the meshes of shared/data become the voxels that issue 2 asks for: closed ones keep their
 // volume at resolution 512 within 0.5 %, the horse (all normals inward) is its own flip, blocks
 // with a hole or turned triangles are whole blocks, and nothing broken is refused. Procedural

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: on a mesh whose corners lie on the voxeliser's units the result is exact, ties included: a
 // voxel is solid where the winding number around its centre is at least one, a centre on the
 // surface counting as just beyond it. Boxes through voxel centres hit every edge and corner rule.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: laws that hold whatever the mesh is. Moving lattice and voxels together by whole voxels
 // moves the voxels; cutting a solid by a shared face cuts its voxels into two sets that are
 // disjoint and whole; scaling everything by a power of two changes nothing, even along one axis;

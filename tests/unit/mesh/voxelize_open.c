@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: an open mesh is solid where its winding number, added up over all triangles by a slow judge,
 // is at least one half: boxes without a face, spheres with holes, loose triangles, anisotropic
 // voxels. The voxeliser patches holes and looks at few voxels; the judge does neither.

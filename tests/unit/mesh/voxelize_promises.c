@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: what the voxeliser promises beside its voxels. A failing or cancelled call leaves the grid
 // as it was and frees what it took; slices one at a time, a grid at once, and a grid by pieces run
 // in any order are the same bytes; bad arguments are refused with a sentence. Guards HOUSE 3:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: SF_FILL_SURFACE promises every voxel that the surface touches and nothing else, voxels being
 // closed boxes. The judge clips each triangle to each voxel in rational steps that stay exact for
 // corners on eighths of a voxel, and asks whether anything is left. Guards the design notes, 7.3.

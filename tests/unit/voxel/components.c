@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: components by runs must be those that a flood fill finds, numbered in the order of their
 // first voxel, for both kinds of neighbours; area and bounds likewise. Spirals and combs are where
 // a forest without path halving goes quadratic or wrong.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: mass, centre of mass and inertia of a voxel shape are these sums. They must be exact, also
 // where 64 bits would not hold them, and the same for any number of threads (TRUST 89).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: dilation and erosion by any element, with either border, must be what the definition says,
 // and erosion must be the dual and the adjoint of dilation (TRUST 32); padding is zero afterwards
 // and without influence before (TRUST 31); aliases that would go wrong are refused (TRUST 84).

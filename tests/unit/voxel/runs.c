@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why: runs and bits must say the same, for every pattern of a small slice and for widths on both
 // sides of a word's border, whatever stands in the padding; a buffer that is too small is refused
 // with the need and stays untouched (TRUST 31, 85, 87).
