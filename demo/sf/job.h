@@ -35,7 +35,7 @@ typedef struct cli_job {
 
 // Leave a sentence and return `status`.
 exit_status job_fail(cli_job *job, exit_status status, const char *format, ...)
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__MINGW32__) // whose printf is another
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
@@ -47,7 +47,7 @@ exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
 
 // A warning goes into the report, and to standard error at the end.
 void job_warn(cli_job *job, const char *format, ...)
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__MINGW32__) // whose printf is another
     __attribute__((format(printf, 2, 3)))
 #endif
     ;

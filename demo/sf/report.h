@@ -27,7 +27,7 @@ void report_end(report *r);
 
 // A sentence for people: one line of the text form, one string of "summary".
 void report_say(report *r, const char *format, ...)
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__MINGW32__) // whose printf is another
     __attribute__((format(printf, 2, 3)))
 #endif
     ;

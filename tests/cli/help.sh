@@ -21,7 +21,8 @@ for verb in run info check trim slice render; do
         case $line in *render* | run*) extra="$extra --pixels 96,96" ;; esac
         # shellcheck disable=SC2086
         run $line $extra
-        [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; }
+        [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; } ||
+            { [ $exit -eq 3 ] && grep -q "build it with jansson" stderr; }
         ok $? "sf $line $extra"
     done <examples
 done

@@ -35,7 +35,7 @@ ok $? "one and three threads write the same mesh"
 ok $? "and the same picture"
 
 # Ctrl-C: status 130, and nothing half-written.
-"$SF" trim scene:garden --resolution 900 -o big.stl >stdout 2>stderr &
+$wrapper "$SF" trim scene:garden --resolution 900 -o big.stl >stdout 2>stderr &
 pid=$!
 sleep 0.3
 kill -INT $pid

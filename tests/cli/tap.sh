@@ -2,6 +2,8 @@
 # is $SF; $JSON_GET prints one value of a JSON file, or is empty where there is no jansson.
 set -u
 count=0 failures=0
+# What runs a program for another machine: words, or empty.
+wrapper=${SF_WRAPPER:-}
 here=$(mktemp -d) || exit 99
 trap 'rm -rf "$here"' EXIT
 cd "$here" || exit 99
@@ -22,7 +24,7 @@ ok() {
 # run ARGS: run the program; leaves exit, and the files stdout and stderr.
 run() {
     exit=0
-    "$SF" "$@" >stdout 2>stderr </dev/null || exit=$?
+    $wrapper "$SF" "$@" >stdout 2>stderr </dev/null || exit=$?
 }
 
 # exits N ARGS: run the program and expect an exit status.

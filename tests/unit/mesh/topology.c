@@ -40,7 +40,7 @@ static void a_soup_is_read_by_position(void)
 {
     start();
     shape_box(&s, zero, one, 0);
-    shape soup;
+    static shape soup;
     memset(&soup, 0, sizeof soup);
     for (size_t i = 0; i < 3 * s.triangle_count; i++) {
         const double *p = s.vertices + 3 * s.triangles[i];

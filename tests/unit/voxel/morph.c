@@ -24,8 +24,10 @@ static int at(sf_slice slice, long x, long y, int outside)
     return sf_slice_get(slice, (uint32_t)x, (uint32_t)y);
 }
 
-static int naive(sf_slice src, const sf_element *e, long x, long y, int outside, int erode)
+static int naive(sf_slice src, const sf_element *e, uint32_t px, uint32_t py, int outside,
+                 int erode)
 {
+    long x = (long)px, y = (long)py;
     for (long dy = -(long)e->reach_y; dy <= (long)e->reach_y; dy++) {
         long w = e->half_width[dy < 0 ? -dy : dy];
         for (long dx = -w; dx <= w; dx++) {
