@@ -29,10 +29,16 @@ typedef struct sfi_kernels {
     void (*xor_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
     void (*subtract_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
 
-    // dst bit x = src bit x - s, x or x + s, for 1 <= s <= 63. Reads src[-1] and src[count]: what
-    // lies outside is the caller's to put there. dst must not overlap src, these two words
-    // included.
-    void (*widen)(uint64_t *dst, const uint64_t *src, unsigned s, size_t count);
+    // dst = OR of all rows, each XOR flip, which is 0 or all ones. row_count is even; a row may be
+    // named twice. dst overlaps no row.
+    void (*unite)(uint64_t *dst, const uint64_t *const *rows, size_t row_count, uint64_t flip,
+                  size_t count);
+
+    // dst bit x = src bit x - s, x or x + s, for 1 <= s <= 63; or that of a row, as above. Reads
+    // src[-1] and src[count]: what lies outside is the caller's to put there. dst must overlap
+    // neither src, these two words included, nor a row; row_count may be 0.
+    void (*widen)(uint64_t *dst, const uint64_t *src, unsigned s, const uint64_t *const *rows,
+                  size_t row_count, uint64_t flip, size_t count);
 
     // Bit x becomes the exclusive or of bits 0..x; returns the parity of all bits (0 or 1).
     unsigned (*prefix_xor)(uint64_t *words, size_t count);
@@ -55,6 +61,7 @@ const sfi_kernels *sfi_kernels_reference(void);
 const sfi_kernels *sfi_kernels_word(void);
 const sfi_kernels *sfi_kernels_sse2(void);
 const sfi_kernels *sfi_kernels_avx2(void);
+const sfi_kernels *sfi_kernels_avx512(void);
 const sfi_kernels *sfi_kernels_neon(void);
 
 // A row of nothing, as long as the widest slice: stands for the rows above and below a slice.

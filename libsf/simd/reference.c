@@ -62,11 +62,31 @@ static void subtract_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, 
     }
 }
 
-static void widen(uint64_t *dst, const uint64_t *src, unsigned s, size_t count)
+static int any_row(const uint64_t *const *rows, size_t row_count, uint64_t flip, size_t x)
+{
+    int any = 0;
+    for (size_t r = 0; r < row_count; r++) {
+        any |= get(rows[r], x) != (flip != 0);
+    }
+    return any;
+}
+
+static void unite(uint64_t *dst, const uint64_t *const *rows, size_t row_count, uint64_t flip,
+                  size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        put(dst, x, any_row(rows, row_count, flip, x));
+    }
+}
+
+static void widen(uint64_t *dst, const uint64_t *src, unsigned s, const uint64_t *const *rows,
+                  size_t row_count, uint64_t flip, size_t count)
 {
     const uint64_t *from = src - 1; // one word further left, so that no index is negative
     for (size_t x = 0; x < 64 * count; x++) {
-        put(dst, x, get(from, 64 + x - s) || get(from, 64 + x) || get(from, 64 + x + s));
+        put(dst, x,
+            get(from, 64 + x - s) || get(from, 64 + x) || get(from, 64 + x + s) ||
+                any_row(rows, row_count, flip, x));
     }
 }
 
@@ -126,6 +146,7 @@ static const sfi_kernels table = {
     .or_words = or_words,
     .xor_words = xor_words,
     .subtract_words = subtract_words,
+    .unite = unite,
     .widen = widen,
     .prefix_xor = prefix_xor,
     .trim_box3 = trim_box3,

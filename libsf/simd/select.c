@@ -23,6 +23,8 @@ const sfi_kernels *sfi_kernels_for(sf_isa isa)
         return sfi_kernels_neon();
     case SF_ISA_AVX2:
         return sfi_kernels_avx2();
+    case SF_ISA_AVX512:
+        return sfi_kernels_avx512();
     case SF_ISA_COUNT:
         break;
     }
@@ -44,7 +46,7 @@ const sfi_kernels *sfi_kernels_get(void)
 {
     const sfi_kernels *kernels = __atomic_load_n(&chosen, __ATOMIC_RELAXED);
     if (kernels == NULL) {
-        kernels = best_up_to(SF_ISA_AVX2);
+        kernels = best_up_to((sf_isa)(SF_ISA_COUNT - 1));
         __atomic_store_n(&chosen, kernels, __ATOMIC_RELAXED);
     }
     return kernels;
@@ -53,7 +55,7 @@ const sfi_kernels *sfi_kernels_get(void)
 const char *sf_isa_limit(sf_isa limit)
 {
     if ((unsigned)limit >= (unsigned)SF_ISA_COUNT) {
-        limit = SF_ISA_AVX2;
+        limit = (sf_isa)(SF_ISA_COUNT - 1);
     }
     const sfi_kernels *kernels = best_up_to(limit);
     __atomic_store_n(&chosen, kernels, __ATOMIC_RELAXED);

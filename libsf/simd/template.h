@@ -8,14 +8,31 @@
 //   SF_LOAD(p) SF_STORE(p, v)            unaligned
 //   SF_AND(a, b) SF_OR(a, b) SF_XOR(a, b) SF_ANDNOT(a, b)     the last is a & ~b
 //   SF_SHL(v, s) SF_SHR(v, s)            each word by s, 1 <= s <= 63
-//   SF_FIRST(w)       word w in lane 0, the other lanes zero
+//   SF_OR3(a, b, c)
+//   SF_SHLD(v, from, s) SF_SHRD(v, from, s)    as above, but the bits that come in are those that
+//                     leave the same word of `from`, shifted the same way
+//   SF_EACH(w)        word w in every lane
+//   SF_LAST(w)        word w in the last lane, all ones in the others
 //   SF_PREV(p, c)     lane i holds lane i - 1 of c; lane 0 the last lane of p
 //   SF_NEXT(c, n)     lane i holds lane i + 1 of c; the last lane holds lane 0 of n
 //   SF_POPCOUNT(w)    set bits of one word
+//   SF_NARROWER       table for rows that do not fill a vector
 //
 // Neighbouring words come from registers by SF_PREV and SF_NEXT rather than by unaligned loads: a
 // row of the slice below is loaded once for each of the three rows that it holds up, not nine
 // times. Words that do not fill a vector are done one at a time by the same formulas.
+
+#if defined(__GNUC__)
+#define SF_INLINE inline __attribute__((always_inline))
+// Ask for the memory a few pages ahead of p, into the second cache. A sweep over slices does more
+// with each word than a copy does and less than waiting for it takes; without asking, the two times
+// add up. Nearer, or into the first cache, hides less. The address may lie outside any object; it
+// is never read.
+#define SF_AHEAD(p) __builtin_prefetch((const void *)((uintptr_t)(p) + 16384), 0, 2)
+#else
+#define SF_INLINE inline
+#define SF_AHEAD(p) ((void)(p))
+#endif
 
 #define SF_WORDWISE(name, vector_op, word_op)                                                      \
     SF_TARGET static void SF_FN(name)(uint64_t * dst, const uint64_t *a, const uint64_t *b,        \
@@ -74,18 +91,79 @@ SF_TARGET static uint64_t SF_FN(popcount)(const uint64_t *words, size_t count)
     return sum;
 }
 
-SF_TARGET static void SF_FN(widen)(uint64_t *dst, const uint64_t *src, unsigned s, size_t count)
+// `here` widened by s to both sides.
+#define SF_WIDEN(prev, here, next, s)                                                              \
+    SF_OR3(here, SF_SHLD(here, SF_PREV(prev, here), s), SF_SHRD(here, SF_NEXT(here, next), s))
+
+// acc OR a pair of rows, and another pair, and so on; rows may be complemented as they are read.
+SF_TARGET static SF_INLINE SF_VEC SF_FN(over)(SF_VEC acc, const uint64_t *const *rows,
+                                              size_t row_count, SF_VEC flip, int flips, size_t i)
 {
-    size_t i = 0;
-    for (; i + SF_LANES <= count; i += SF_LANES) {
-        SF_VEC mid = SF_LOAD(src + i);
-        SF_VEC up = SF_OR(SF_SHL(mid, s), SF_SHR(SF_LOAD(src + i - 1), 64 - s));
-        SF_VEC down = SF_OR(SF_SHR(mid, s), SF_SHL(SF_LOAD(src + i + 1), 64 - s));
-        SF_STORE(dst + i, SF_OR(mid, SF_OR(up, down)));
+    for (size_t r = 0; r < row_count; r += 2) {
+        SF_VEC a = SF_LOAD(rows[r] + i), b = SF_LOAD(rows[r + 1] + i);
+        acc = SF_OR3(acc, flips ? SF_XOR(a, flip) : a, flips ? SF_XOR(b, flip) : b);
     }
-    for (; i < count; i++) {
-        const uint64_t *p = src + i;
-        dst[i] = p[0] | p[0] << s | p[-1] >> (64 - s) | p[0] >> s | p[1] << (64 - s);
+    return acc;
+}
+
+SF_TARGET static SF_INLINE void SF_FN(unite_rows)(uint64_t *dst, const uint64_t *const *rows,
+                                                  size_t row_count, uint64_t flip, int flips,
+                                                  size_t count)
+{
+    SF_VEC none = SF_EACH(0), flipped = SF_EACH(flip);
+    for (size_t i = 0; i + SF_LANES <= count; i += SF_LANES) {
+        SF_STORE(dst + i, SF_FN(over)(none, rows, row_count, flipped, flips, i));
+    }
+    if (count % SF_LANES != 0) {
+        const size_t last = count - SF_LANES;
+        SF_STORE(dst + last, SF_FN(over)(none, rows, row_count, flipped, flips, last));
+    }
+}
+
+SF_TARGET static void SF_FN(unite)(uint64_t *dst, const uint64_t *const *rows, size_t row_count,
+                                   uint64_t flip, size_t count)
+{
+    if (count < SF_LANES) {
+        SF_NARROWER->unite(dst, rows, row_count, flip, count);
+    } else if (flip == 0) {
+        SF_FN(unite_rows)(dst, rows, row_count, flip, 0, count);
+    } else {
+        SF_FN(unite_rows)(dst, rows, row_count, flip, 1, count);
+    }
+}
+
+SF_TARGET static SF_INLINE void SF_FN(widen_rows)(uint64_t *dst, const uint64_t *src, unsigned s,
+                                                  const uint64_t *const *rows, size_t row_count,
+                                                  uint64_t flip, int flips, size_t count)
+{
+    const size_t last = count - SF_LANES;
+    SF_VEC flipped = SF_EACH(flip), prev = SF_EACH(src[-1]), here = SF_LOAD(src);
+    for (size_t i = 0; i < last; i += SF_LANES) {
+        const size_t j = i + SF_LANES;
+        SF_VEC next = j <= last ? SF_LOAD(src + j) : SF_EACH(src[j]);
+        SF_VEC wide = SF_WIDEN(prev, here, next, s);
+        SF_STORE(dst + i, SF_FN(over)(wide, rows, row_count, flipped, flips, i));
+        prev = here;
+        here = next;
+    }
+    if (count % SF_LANES != 0) {
+        prev = SF_EACH(src[last - 1]);
+        here = SF_LOAD(src + last);
+    }
+    SF_VEC wide = SF_WIDEN(prev, here, SF_EACH(src[count]), s);
+    SF_STORE(dst + last, SF_FN(over)(wide, rows, row_count, flipped, flips, last));
+}
+
+SF_TARGET static void SF_FN(widen)(uint64_t *dst, const uint64_t *src, unsigned s,
+                                   const uint64_t *const *rows, size_t row_count, uint64_t flip,
+                                   size_t count)
+{
+    if (count < SF_LANES) {
+        SF_NARROWER->widen(dst, src, s, rows, row_count, flip, count);
+    } else if (flip == 0) {
+        SF_FN(widen_rows)(dst, src, s, rows, row_count, flip, 0, count);
+    } else {
+        SF_FN(widen_rows)(dst, src, s, rows, row_count, flip, 1, count);
     }
 }
 
@@ -110,59 +188,47 @@ SF_TARGET static unsigned SF_FN(prefix_xor)(uint64_t *words, size_t count)
 
 // One row of a dilation is OR of: the rows in `wide`, widened by one; and the rows in `tall` as
 // they are. For the square all three rows are wide; for the plus only the middle one is.
-#define SF_WIDEN1(prev, here, next)                                                                \
-    SF_OR(SF_OR(here, SF_OR(SF_SHL(here, 1), SF_SHR(here, 1))),                                    \
-          SF_OR(SF_SHR(SF_PREV(prev, here), 63), SF_SHL(SF_NEXT(here, next), 63)))
+//
+// A row is a chain of vectors, each of which needs the one before and the one after; where words
+// are left over, a last vector ends with the last word and does some words again, which is harmless
+// in place because what holds matter up is not what is written. Padding reaches the result by way
+// of the last word only, so the last vector is masked, below and above.
+#define SF_WIDE_AT(wide_of, i) wide_of(SF_LOAD(up + (i)), SF_LOAD(mid + (i)), SF_LOAD(down + (i)))
 
-#define SF_TRIM_ROW(name, wide_word, wide_vec, tall_word, tall_vec)                                \
-    static inline uint64_t SF_FN(name##_word)(const uint64_t *up, const uint64_t *mid,             \
-                                              const uint64_t *down, size_t i, size_t count,        \
-                                              uint64_t tail)                                       \
-    {                                                                                              \
-        uint64_t here = wide_word(i) & (i + 1 == count ? tail : ~UINT64_C(0));                     \
-        uint64_t prev = i > 0 ? wide_word(i - 1) : 0;                                              \
-        uint64_t next = 0;                                                                         \
-        if (i + 1 < count) {                                                                       \
-            next = wide_word(i + 1) & (i + 2 == count ? tail : ~UINT64_C(0));                      \
-        }                                                                                          \
-        return tall_word(i) | here | here << 1 | here >> 1 | prev >> 63 | next << 63;              \
-    }                                                                                              \
-                                                                                                   \
-    SF_TARGET static inline void SF_FN(name##_row)(                                                \
+#define SF_TRIM_ROW(name, wide_word, wide_of, tall_of)                                             \
+    SF_TARGET static SF_INLINE void SF_FN(name##_row)(                                             \
         uint64_t * dst, const uint64_t *src, const uint64_t *up, const uint64_t *mid,              \
         const uint64_t *down, size_t count, uint64_t tail)                                         \
     {                                                                                              \
-        /* Padding of the rows below reaches the last word only; that one is done apart. */        \
-        uint64_t last =                                                                            \
-            src[count - 1] & tail & SF_FN(name##_word)(up, mid, down, count - 1, count, tail);     \
-        size_t i = 0;                                                                              \
-        if (count >= SF_LANES) {                                                                   \
-            SF_VEC prev = SF_FIRST(0);                                                             \
-            SF_VEC here = wide_vec(0);                                                             \
-            for (; i + SF_LANES <= count; i += SF_LANES) {                                         \
-                size_t j = i + SF_LANES;                                                           \
-                SF_VEC next;                                                                       \
-                if (j + SF_LANES <= count) {                                                       \
-                    next = wide_vec(j);                                                            \
-                } else {                                                                           \
-                    next = SF_FIRST(j < count ? wide_word(j) : 0);                                 \
-                }                                                                                  \
-                SF_VEC held = tall_vec(i, SF_WIDEN1(prev, here, next));                            \
-                SF_STORE(dst + i, SF_AND(SF_LOAD(src + i), held));                                 \
-                prev = here;                                                                       \
-                here = next;                                                                       \
-            }                                                                                      \
+        const size_t last = count - SF_LANES;                                                      \
+        const int padded = tail != ~UINT64_C(0);                                                   \
+        SF_VEC none = SF_EACH(0), edge = SF_LAST(tail), prev = none,                               \
+               here = SF_WIDE_AT(wide_of, 0);                                                      \
+        for (size_t i = 0; i < last; i += SF_LANES) {                                              \
+            const size_t j = i + SF_LANES;                                                         \
+            SF_VEC next = j <= last ? SF_WIDE_AT(wide_of, j) : SF_EACH(wide_word(j));              \
+            SF_VEC held =                                                                          \
+                tall_of(SF_WIDEN(prev, here, next, 1), SF_LOAD(up + i), SF_LOAD(down + i));        \
+            SF_AHEAD(src + i);                                                                     \
+            SF_STORE(dst + i, SF_AND(SF_LOAD(src + i), held));                                     \
+            prev = here;                                                                           \
+            here = next;                                                                           \
         }                                                                                          \
-        for (; i + 1 < count; i++) {                                                               \
-            dst[i] = src[i] & SF_FN(name##_word)(up, mid, down, i, count, tail);                   \
+        if (count % SF_LANES != 0) {                                                               \
+            prev = SF_EACH(wide_word(last - 1));                                                   \
+            here = SF_WIDE_AT(wide_of, last);                                                      \
         }                                                                                          \
-        dst[count - 1] = last;                                                                     \
+        here = padded ? SF_AND(here, edge) : here;                                                 \
+        SF_VEC held =                                                                              \
+            tall_of(SF_WIDEN(prev, here, none, 1), SF_LOAD(up + last), SF_LOAD(down + last));      \
+        held = padded ? SF_AND(held, edge) : held;                                                 \
+        SF_AHEAD(src + last);                                                                      \
+        SF_STORE(dst + last, SF_AND(SF_LOAD(src + last), held));                                   \
     }                                                                                              \
                                                                                                    \
-    SF_TARGET static void SF_FN(name)(sf_slice dst, sf_slice src, sf_slice below)                  \
+    SF_TARGET static SF_INLINE void SF_FN(name##_rows)(sf_slice dst, sf_slice src, sf_slice below, \
+                                                       size_t count, uint64_t tail)                \
     {                                                                                              \
-        size_t count = sfi_row_words(src.width);                                                   \
-        uint64_t tail = sfi_tail_mask(src.width);                                                  \
         const uint64_t *up = sfi_empty_row, *mid = below.words;                                    \
         for (uint32_t y = 0; y < src.height; y++) {                                                \
             const uint64_t *down = y + 1 < src.height ? mid + below.stride : sfi_empty_row;        \
@@ -171,19 +237,52 @@ SF_TARGET static unsigned SF_FN(prefix_xor)(uint64_t *words, size_t count)
             up = mid;                                                                              \
             mid = down;                                                                            \
         }                                                                                          \
+    }                                                                                              \
+                                                                                                   \
+    /* Rows of one vector: what lies below is loaded once and kept for three rows. */              \
+    SF_TARGET static SF_INLINE void SF_FN(name##_slim)(sf_slice dst, sf_slice src, sf_slice below) \
+    {                                                                                              \
+        SF_VEC none = SF_EACH(0), edge = SF_LAST(sfi_tail_mask(src.width));                        \
+        SF_VEC up = none, mid = SF_LOAD(below.words);                                              \
+        for (uint32_t y = 0; y < src.height; y++) {                                                \
+            const uint64_t *from = src.words + y * src.stride, *under = below.words;               \
+            SF_VEC down = y + 1 < src.height ? SF_LOAD(under + (y + 1) * below.stride) : none;     \
+            SF_VEC here = SF_AND(wide_of(up, mid, down), edge);                                    \
+            SF_VEC held = tall_of(SF_WIDEN(none, here, none, 1), up, down);                        \
+            SF_AHEAD(from);                                                                        \
+            SF_STORE(dst.words + y * dst.stride, SF_AND(SF_AND(SF_LOAD(from), held), edge));       \
+            up = mid;                                                                              \
+            mid = down;                                                                            \
+        }                                                                                          \
+    }                                                                                              \
+                                                                                                   \
+    /* Rows of a few vectors without padding are unrolled. */                                      \
+    SF_TARGET static void SF_FN(name)(sf_slice dst, sf_slice src, sf_slice below)                  \
+    {                                                                                              \
+        size_t count = sfi_row_words(src.width);                                                   \
+        uint64_t tail = sfi_tail_mask(src.width);                                                  \
+        if (count < SF_LANES) {                                                                    \
+            SF_NARROWER->name(dst, src, below);                                                    \
+        } else if (count == SF_LANES) {                                                            \
+            SF_FN(name##_slim)(dst, src, below);                                                   \
+        } else if (src.width == 512) {                                                             \
+            SF_FN(name##_rows)(dst, src, below, 8, ~UINT64_C(0));                                  \
+        } else if (src.width == 1024) {                                                            \
+            SF_FN(name##_rows)(dst, src, below, 16, ~UINT64_C(0));                                 \
+        } else {                                                                                   \
+            SF_FN(name##_rows)(dst, src, below, count, tail);                                      \
+        }                                                                                          \
     }
 
 #define SF_ALL_WORD(i) (up[i] | mid[i] | down[i])
-#define SF_ALL_VEC(i) SF_OR(SF_LOAD(mid + (i)), SF_OR(SF_LOAD(up + (i)), SF_LOAD(down + (i))))
-#define SF_NO_WORD(i) UINT64_C(0)
-#define SF_NO_VEC(i, v) (v)
+#define SF_ALL_OF(u, m, d) SF_OR3(m, u, d)
+#define SF_NONE_OF(v, u, d) (v)
 #define SF_MID_WORD(i) (mid[i])
-#define SF_MID_VEC(i) SF_LOAD(mid + (i))
-#define SF_ENDS_WORD(i) (up[i] | down[i])
-#define SF_ENDS_VEC(i, v) SF_OR(v, SF_OR(SF_LOAD(up + (i)), SF_LOAD(down + (i))))
+#define SF_MID_OF(u, m, d) (m)
+#define SF_ENDS_OF(v, u, d) SF_OR3(v, u, d)
 
-SF_TRIM_ROW(trim_box3, SF_ALL_WORD, SF_ALL_VEC, SF_NO_WORD, SF_NO_VEC)
-SF_TRIM_ROW(trim_plus3, SF_MID_WORD, SF_MID_VEC, SF_ENDS_WORD, SF_ENDS_VEC)
+SF_TRIM_ROW(trim_box3, SF_ALL_WORD, SF_ALL_OF, SF_NONE_OF)
+SF_TRIM_ROW(trim_plus3, SF_MID_WORD, SF_MID_OF, SF_ENDS_OF)
 
 static const sfi_kernels SF_FN(table) = {
     .name = SF_NAME,
@@ -193,23 +292,25 @@ static const sfi_kernels SF_FN(table) = {
     .or_words = SF_FN(or_words),
     .xor_words = SF_FN(xor_words),
     .subtract_words = SF_FN(subtract_words),
+    .unite = SF_FN(unite),
     .widen = SF_FN(widen),
     .prefix_xor = SF_FN(prefix_xor),
     .trim_box3 = SF_FN(trim_box3),
     .trim_plus3 = SF_FN(trim_plus3),
 };
 
+#undef SF_INLINE
+#undef SF_AHEAD
 #undef SF_WORDWISE
-#undef SF_WIDEN1
+#undef SF_WIDEN
 #undef SF_TRIM_ROW
+#undef SF_WIDE_AT
 #undef SF_ALL_WORD
-#undef SF_ALL_VEC
-#undef SF_NO_WORD
-#undef SF_NO_VEC
+#undef SF_ALL_OF
+#undef SF_NONE_OF
 #undef SF_MID_WORD
-#undef SF_MID_VEC
-#undef SF_ENDS_WORD
-#undef SF_ENDS_VEC
+#undef SF_MID_OF
+#undef SF_ENDS_OF
 #undef SF_FN
 #undef SF_NAME
 #undef SF_TARGET
@@ -219,11 +320,16 @@ static const sfi_kernels SF_FN(table) = {
 #undef SF_STORE
 #undef SF_AND
 #undef SF_OR
+#undef SF_OR3
+#undef SF_SHLD
+#undef SF_SHRD
+#undef SF_LAST
 #undef SF_XOR
 #undef SF_ANDNOT
 #undef SF_SHL
 #undef SF_SHR
-#undef SF_FIRST
+#undef SF_EACH
+#undef SF_NARROWER
 #undef SF_PREV
 #undef SF_NEXT
 #undef SF_POPCOUNT

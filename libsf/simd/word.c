@@ -27,10 +27,15 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_ANDNOT(a, b) ((a) & ~(b))
 #define SF_SHL(v, s) ((v) << (s))
 #define SF_SHR(v, s) ((v) >> (s))
-#define SF_FIRST(w) ((uint64_t)(w))
+#define SF_OR3(a, b, c) SF_OR(a, SF_OR(b, c))
+#define SF_SHLD(v, from, s) SF_OR(SF_SHL(v, s), SF_SHR(from, 64 - (s)))
+#define SF_SHRD(v, from, s) SF_OR(SF_SHR(v, s), SF_SHL(from, 64 - (s)))
+#define SF_EACH(w) ((uint64_t)(w))
+#define SF_LAST(w) ((uint64_t)(w))
 #define SF_PREV(p, c) (p)
 #define SF_NEXT(c, n) (n)
 #define SF_POPCOUNT(w) popcount_of(w)
+#define SF_NARROWER sfi_kernels_word() // never asked: a word is a vector here
 #include "simd/template.h"
 
 const sfi_kernels *sfi_kernels_word(void)

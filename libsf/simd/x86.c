@@ -30,12 +30,17 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_OR(a, b) _mm_or_si128(a, b)
 #define SF_XOR(a, b) _mm_xor_si128(a, b)
 #define SF_ANDNOT(a, b) _mm_andnot_si128(b, a)
-#define SF_SHL(v, s) _mm_sll_epi64(v, _mm_cvtsi32_si128((int)(s)))
-#define SF_SHR(v, s) _mm_srl_epi64(v, _mm_cvtsi32_si128((int)(s)))
-#define SF_FIRST(w) _mm_set_epi64x(0, (long long)(w))
+#define SF_SHL(v, s) _mm_slli_epi64(v, (int)(s))
+#define SF_SHR(v, s) _mm_srli_epi64(v, (int)(s))
+#define SF_OR3(a, b, c) SF_OR(a, SF_OR(b, c))
+#define SF_SHLD(v, from, s) SF_OR(SF_SHL(v, s), SF_SHR(from, 64 - (s)))
+#define SF_SHRD(v, from, s) SF_OR(SF_SHR(v, s), SF_SHL(from, 64 - (s)))
+#define SF_EACH(w) _mm_set1_epi64x((long long)(w))
+#define SF_LAST(w) _mm_set_epi64x((long long)(w), -1)
 #define SF_PREV(p, c) _mm_castpd_si128(_mm_shuffle_pd(_mm_castsi128_pd(p), _mm_castsi128_pd(c), 1))
 #define SF_NEXT(c, n) _mm_castpd_si128(_mm_shuffle_pd(_mm_castsi128_pd(c), _mm_castsi128_pd(n), 1))
 #define SF_POPCOUNT(w) popcount_of(w)
+#define SF_NARROWER sfi_kernels_word()
 #include "simd/template.h"
 
 #define SF_FN(name) name##_avx2
@@ -49,13 +54,62 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_OR(a, b) _mm256_or_si256(a, b)
 #define SF_XOR(a, b) _mm256_xor_si256(a, b)
 #define SF_ANDNOT(a, b) _mm256_andnot_si256(b, a)
-#define SF_SHL(v, s) _mm256_sll_epi64(v, _mm_cvtsi32_si128((int)(s)))
-#define SF_SHR(v, s) _mm256_srl_epi64(v, _mm_cvtsi32_si128((int)(s)))
-#define SF_FIRST(w) _mm256_set_epi64x(0, 0, 0, (long long)(w))
+#define SF_SHL(v, s) _mm256_slli_epi64(v, (int)(s))
+#define SF_SHR(v, s) _mm256_srli_epi64(v, (int)(s))
+#define SF_OR3(a, b, c) SF_OR(a, SF_OR(b, c))
+#define SF_SHLD(v, from, s) SF_OR(SF_SHL(v, s), SF_SHR(from, 64 - (s)))
+#define SF_SHRD(v, from, s) SF_OR(SF_SHR(v, s), SF_SHL(from, 64 - (s)))
+#define SF_EACH(w) _mm256_set1_epi64x((long long)(w))
+#define SF_LAST(w) _mm256_set_epi64x((long long)(w), -1, -1, -1)
 #define SF_PREV(p, c) _mm256_alignr_epi8(c, _mm256_permute2x128_si256(p, c, 0x21), 8)
 #define SF_NEXT(c, n) _mm256_alignr_epi8(_mm256_permute2x128_si256(c, n, 0x21), c, 8)
 #define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
+#define SF_NARROWER (&table_sse2)
 #include "simd/template.h"
+
+// Windows compilers do not keep the stack aligned for 64-byte spills.
+#if defined(__x86_64__) && !defined(_WIN32)
+
+#define SF_FN(name) name##_avx512
+#define SF_NAME "avx512"
+#define SF_TARGET __attribute__((target("avx512f,avx512vbmi2,popcnt")))
+#define SF_VEC __m512i
+#define SF_LANES 8
+#define SF_LOAD(p) _mm512_loadu_si512((const void *)(p))
+#define SF_STORE(p, v) _mm512_storeu_si512((void *)(p), v)
+#define SF_AND(a, b) _mm512_and_si512(a, b)
+#define SF_OR(a, b) _mm512_or_si512(a, b)
+#define SF_XOR(a, b) _mm512_xor_si512(a, b)
+#define SF_ANDNOT(a, b) _mm512_andnot_si512(b, a)
+#define SF_SHL(v, s) _mm512_slli_epi64(v, (unsigned)(s))
+#define SF_SHR(v, s) _mm512_srli_epi64(v, (unsigned)(s))
+#define SF_OR3(a, b, c) _mm512_ternarylogic_epi64(a, b, c, 0xfe)
+#define SF_SHLD(v, from, s) _mm512_shldv_epi64(v, from, _mm512_set1_epi64((long long)(s)))
+#define SF_SHRD(v, from, s) _mm512_shrdv_epi64(v, from, _mm512_set1_epi64((long long)(s)))
+#define SF_EACH(w) _mm512_set1_epi64((long long)(w))
+#define SF_LAST(w) _mm512_mask_set1_epi64(_mm512_set1_epi64(-1), 0x80, (long long)(w))
+#define SF_PREV(p, c) _mm512_alignr_epi64(c, p, 7)
+#define SF_NEXT(c, n) _mm512_alignr_epi64(n, c, 1)
+#define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
+#define SF_NARROWER (&table_avx2)
+#include "simd/template.h"
+
+const sfi_kernels *sfi_kernels_avx512(void)
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vbmi2") &&
+                   __builtin_cpu_supports("popcnt")
+               ? &table_avx512
+               : NULL;
+}
+
+#else
+
+const sfi_kernels *sfi_kernels_avx512(void)
+{
+    return NULL;
+}
+
+#endif
 
 const sfi_kernels *sfi_kernels_sse2(void)
 {
@@ -75,6 +129,11 @@ const sfi_kernels *sfi_kernels_sse2(void)
 }
 
 const sfi_kernels *sfi_kernels_avx2(void)
+{
+    return NULL;
+}
+
+const sfi_kernels *sfi_kernels_avx512(void)
 {
     return NULL;
 }

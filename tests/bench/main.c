@@ -4,8 +4,8 @@
 //     sf-bench [--json FILE] [--rounds N] [--isa NAME] [JOB]
 //
 // JOB picks the jobs whose names begin with it. --rounds sets the least number of rounds (7), --isa
-// the best instruction set to use: reference, word, sse2, neon or avx2. Nothing here passes or
-// fails by its time; goals are printed beside the figures.
+// the best instruction set to use: reference, word, sse2, neon, avx2 or avx512. Nothing here passes
+// or fails by its time; goals are printed beside the figures.
 
 #include "rounds.h"
 
@@ -97,7 +97,8 @@ static int write_json(const char *path)
 // Returns 0 for a name that no instruction set has.
 static int limit_isa(const char *name)
 {
-    static const char *const names[SF_ISA_COUNT] = {"reference", "word", "sse2", "neon", "avx2"};
+    static const char *const names[SF_ISA_COUNT] = {"reference", "word", "sse2",
+                                                    "neon",      "avx2", "avx512"};
     for (int isa = 0; isa < SF_ISA_COUNT; isa++) {
         if (strcmp(names[isa], name) == 0) {
             sf_isa_limit((sf_isa)isa);

@@ -59,10 +59,22 @@ static void widening(const sfi_kernels *k, size_t count, int at_end)
     uint64_t *src = guarded_words(area[0], count + 2, at_end);
     uint64_t *got = guarded_words(area[2], count, at_end),
              *want = guarded_words(area[3], count, at_end);
+    static uint64_t between[3][64];
+    const uint64_t *rows[4] = {guarded_words(area[1], count, at_end), between[0], between[1],
+                               between[2]};
     for (unsigned s = 1; s <= 63; s += 1 + test_random_below(9)) {
+        uint64_t flip = s % 2 == 0 ? 0 : ~UINT64_C(0);
+        size_t row_count = 2 * test_random_below(3);
         fill(src, count + 2, (int)s);
-        k->widen(got, src + 1, s, count);
-        r->widen(want, src + 1, s, count);
+        fill(guarded_words(area[1], count, at_end), count, (int)test_random_below(6));
+        for (int i = 0; i < 3; i++) {
+            fill(between[i], count, (int)test_random_below(6));
+        }
+        k->widen(got, src + 1, s, rows, row_count, flip, count);
+        r->widen(want, src + 1, s, rows, row_count, flip, count);
+        CHECK(memcmp(got, want, 8 * count) == 0);
+        k->unite(got, rows, row_count, flip, count);
+        r->unite(want, rows, row_count, flip, count);
         CHECK(memcmp(got, want, 8 * count) == 0);
     }
 }
@@ -126,7 +138,7 @@ static void a_limit_is_kept_and_lifted(void)
     CHECK(sfi_kernels_get() == sfi_kernels_reference());
     CHECK_STR(sf_isa_limit(SF_ISA_WORD), "word");
     CHECK(sfi_kernels_get() == sfi_kernels_word());
-    const char *best = sf_isa_limit(SF_ISA_AVX2);
+    const char *best = sf_isa_limit(SF_ISA_AVX512);
     CHECK_STR(sf_isa_limit(SF_ISA_COUNT), best);
     CHECK_STR(sfi_kernels_get()->name, best);
 }

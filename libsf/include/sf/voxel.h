@@ -114,13 +114,14 @@ typedef enum sf_isa {
     SF_ISA_SSE2 = 2,      /**< x86, 128 bits */
     SF_ISA_NEON = 3,      /**< Arm, 128 bits */
     SF_ISA_AVX2 = 4,      /**< x86, 256 bits */
-    SF_ISA_COUNT = 5      /**< number of instruction sets, not one of them */
+    SF_ISA_AVX512 = 5,    /**< x86, 512 bits, with VBMI2 */
+    SF_ISA_COUNT = 6      /**< number of instruction sets, not one of them */
 } sf_isa;
 
 /**
  * Use no instruction set above `limit`, for tests and benches; results never depend on it.
  *
- * @param limit  the highest set to use; SF_ISA_AVX2 or any other value lifts the limit
+ * @param limit  the highest set to use; SF_ISA_COUNT or any other value lifts the limit
  * @return the name of the set now in use: the best one that the processor has within the limit.
  * @cost constant.   @threads any; work under way elsewhere may end on the old set.   @since 0.1
  */
