@@ -7,7 +7,7 @@ run trim scene:garden --resolution 24 -o part.obj
 run slice scene:garden --resolution 24 -o layers
 for verb in run info check trim slice render; do
     run $verb --help
-    sed -n '/^examples:/,/^$/s/^  sf //p' stdout >examples
+    tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
     ok $? "$verb --help has examples"
     while read -r line; do

@@ -1,13 +1,26 @@
 #!/bin/sh
-# Runs the test programs that build.sh made and sums them up as meson's would be. usage: run.sh FOLDER
+# Runs the test programs that build.sh made, and the tests of the command line, and sums them up as
+# meson's would be. usage: run.sh FOLDER
 set -eu
-out=$1
+out=$(cd "$1" && pwd)
 log=$out/testlog.json
 : >"$log"
-for program in "$out"/test-*; do
-    result=OK
-    timeout 300 "$program" >"$out/stdout" 2>&1 || { result=FAIL; cat "$out/stdout" >&2; }
+
+# record NAME COMMAND...: run a test and add a line like those of meson's log.
+record() {
+    name=$1 result=OK
+    shift
+    timeout 300 "$@" >"$out/stdout" 2>&1 || { result=FAIL; cat "$out/stdout" >&2; }
     text=$(sed 's/\\/\\\\/g; s/"/\\"/g' "$out/stdout" | awk '{ printf "%s\\n", $0 }')
-    printf '{"name": "%s", "stdout": "%s", "result": "%s"}\n' "${program##*/}" "$text" "$result" >>"$log"
+    printf '{"name": "%s", "stdout": "%s", "result": "%s"}\n' "$name" "$text" "$result" >>"$log"
+}
+
+for program in "$out"/test-*; do
+    record "${program##*/}" "$program"
+done
+export SF="$out/sf" JSON_GET=
+for script in tests/cli/*.sh; do
+    case $script in */tap.sh) continue ;; esac
+    record "$script" sh "$script" "$PWD/tests/cli/tap.sh"
 done
 awk -f tests/summary.awk "$log"
