@@ -17,11 +17,10 @@
 // row that reaches beyond the first or the last row of the slice is solid all along. Freestanding;
 // the scratch is on the stack.
 
+#include "base/bytes.h"
 #include "base/status.h"
 #include "voxel/element.h"
 #include "voxel/slice.h"
-
-#include <string.h>
 
 // Words of a block; of the most that widening eats from each side of it (4 * 64 > SF_REACH_MAX);
 // and of room for what stands beside that, so that blocks begin on a line of the cache.
