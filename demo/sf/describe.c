@@ -46,6 +46,9 @@ static void report_rule(report *r, const part *p, const sf_lattice *lattice,
     } else {
         report_number(r, "angle_deg", asked->angle_deg);
     }
+    if (asked->bridge_mm[0] > 0) {
+        report_numbers(r, "bridge_mm", asked->bridge_mm, 2);
+    }
     if (sf_rule_measure(&p->rule, lattice, &angles) == SF_OK) {
         report_number(r, "allows_x_deg", angles.axis_x_rad * degrees);
         report_number(r, "allows_y_deg", angles.axis_y_rad * degrees);

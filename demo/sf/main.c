@@ -10,7 +10,7 @@
 #define INPUT_OPTIONS                                                                              \
     (OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |    \
      OPTION_FILL | OPTION_MEMORY)
-#define RULE_OPTIONS (OPTION_ANGLE | OPTION_RULE | OPTION_BED)
+#define RULE_OPTIONS (OPTION_ANGLE | OPTION_RULE | OPTION_BED | OPTION_BRIDGE)
 #define HOST_OPTIONS (OPTION_THREADS | OPTION_JSON | OPTION_QUIET)
 
 typedef exit_status (*verb_function)(cli_job *job);

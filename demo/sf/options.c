@@ -23,7 +23,9 @@ static const option_entry table[] = {
     {OPTION_RESOLUTION, "resolution", 0, "N", "voxels on the longest side (default 256)"},
     {OPTION_PITCH, "pitch", 0, "PX[,PY[,LAYER]]", "voxel size in mm instead of a resolution"},
     {OPTION_ANGLE, "angle", 0, "DEG", "overhang from the vertical that still prints (default 45)"},
-    {OPTION_RULE, "rule", 0, "RULE", "octagon (default), disk, or box3, which takes no angle"},
+    {OPTION_RULE, "rule", 0, "RULE",
+     "octagon (default), slack, disk, or box3, which takes no angle"},
+    {OPTION_BRIDGE, "bridge", 0, "MM[,ANCHOR]", "gaps that may be spanned between two held ends"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
     {OPTION_UNITS, "units", 0, "UNIT", "unit of the input: mm (default), cm, m, in"},
     {OPTION_SCALE, "scale", 0, "F", "make the part F times as large"},
@@ -102,6 +104,13 @@ static int parse_pitch(const char *text, cli_options *made)
     return count > 0 && made->pitch_mm[0] > 0 && made->pitch_mm[1] > 0 && made->pitch_mm[2] > 0;
 }
 
+static int parse_bridge(const char *text, cli_options *made)
+{
+    made->bridge_mm[1] = 0;
+    return parse_numbers(text, made->bridge_mm, 1, 2) > 0 && made->bridge_mm[0] >= 0 &&
+           made->bridge_mm[1] >= 0;
+}
+
 static int parse_pixels(const char *text, cli_options *made)
 {
     double numbers[2];
@@ -157,13 +166,7 @@ static int parse_units(const char *text, cli_options *made)
 
 static int parse_rule(const char *text, cli_options *made)
 {
-    for (sf_rule_kind kind = SF_RULE_BOX3; kind <= SF_RULE_DISK; kind++) {
-        if (strcmp(text, sf_rule_kind_name(kind)) == 0) {
-            made->rule = kind;
-            return 1;
-        }
-    }
-    return 0;
+    return sf_rule_kind_from_name(text, &made->rule) == SF_OK;
 }
 
 static int parse_fill(const char *text, cli_options *made)
@@ -188,6 +191,8 @@ static int parse_argument(uint32_t bit, const char *text, cli_options *made)
         return text[0] != '\0';
     case OPTION_PITCH:
         return parse_pitch(text, made);
+    case OPTION_BRIDGE:
+        return parse_bridge(text, made);
     case OPTION_RULE:
         return parse_rule(text, made);
     case OPTION_UP:

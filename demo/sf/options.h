@@ -30,7 +30,8 @@ enum {
     OPTION_SMOOTH = 1 << 14,
     OPTION_MEMORY = 1 << 15,
     OPTION_VIEW = 1 << 16,
-    OPTION_PIXELS = 1 << 17
+    OPTION_PIXELS = 1 << 17,
+    OPTION_BRIDGE = 1 << 18
 };
 
 typedef struct cli_options {
@@ -41,6 +42,7 @@ typedef struct cli_options {
     uint32_t resolution;
     double angle_deg;
     sf_rule_kind rule;
+    double bridge_mm[2]; // span and anchor
     axis up;
     double unit_mm; // millimetres in one unit of the input
     double scale;

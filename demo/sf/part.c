@@ -128,6 +128,10 @@ static exit_status read_stack(cli_job *job, part *p)
             asked->rule = info.rule;
             asked->angle_deg = info.angle_rad * (180 / 3.14159265358979323846);
         }
+        if ((asked->given & OPTION_BRIDGE) == 0) {
+            asked->bridge_mm[0] = info.bridge_span_mm;
+            asked->bridge_mm[1] = info.bridge_anchor_mm;
+        }
     }
     return EXIT_GOOD;
 }
@@ -265,6 +269,11 @@ exit_status part_make_rule(cli_job *job, part *p)
         sf_rule_make(job->options.rule, angle_rad, &lattice, p->table, &p->rule, &fault);
     if (status != SF_OK) {
         return job_fail_call(job, status, &fault, sf_rule_kind_name(job->options.rule), EXIT_USAGE);
+    }
+    status = sf_rule_set_bridges(&p->rule, job->options.bridge_mm[0], job->options.bridge_mm[1],
+                                 &lattice, &fault);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, &fault, "--bridge", EXIT_USAGE);
     }
     p->has_rule = 1;
     return choose_bed(job, p, &lattice);

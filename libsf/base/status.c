@@ -21,6 +21,7 @@ static const status_text texts[SF_STATUS_COUNT] = {
     {"SF_ERR_UNSUPPORTED", "This is well-formed, but not served by this rule, build or version."},
     {"SF_ERR_CANCELLED", "The task was cancelled."},
     {"SF_ERR_INTERNAL", "A promise of the library was broken; please report it."},
+    {"SF_ERR_INFEASIBLE", "What must stay cannot be carried within what may be there."},
 };
 
 const char *sf_version(void)

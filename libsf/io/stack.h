@@ -8,7 +8,10 @@
 
 #define SFI_STACK_DOCUMENT "stack.json"
 #define SFI_STACK_FORMAT "libsf-stack"
+// A reader of version 1 would pass over bridges, which it does not know, and judge without them.
 #define SFI_STACK_VERSION 1
+#define SFI_STACK_VERSION_BRIDGED 2
+#define SFI_STACK_BRIDGE_MAX 1e12
 #define SFI_STACK_PATTERN_PNG "layer_%05u.png"
 #define SFI_STACK_PATTERN_PBM "layer_%05u.pbm"
 
@@ -19,9 +22,6 @@ void sfi_stack_layer_name(sfi_picture_kind kind, uint32_t layer, char name[SFI_S
 
 // Whether a file of this name is part of a stack.
 int sfi_stack_owns(const char *name);
-
-// "box3", "octagon" or "disk"; NULL for a kind that there is not.
-const char *sfi_stack_rule_name(sf_rule_kind kind);
 
 // Report `done` layers of `total`.
 void sfi_stack_progress(sf_task *task, uint32_t done, uint32_t total);

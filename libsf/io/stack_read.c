@@ -109,6 +109,21 @@ static sf_status read_lattice(const json_t *root, const sf_allocator *allocator,
     return SF_OK;
 }
 
+static sf_status read_bridge(const json_t *rule, sf_stack_info *info, sf_fault *fault)
+{
+    double bridge[2] = {0.0, 0.0};
+    const json_t *found = json_object_get(rule, "bridge_mm");
+    if (found != NULL && !(get_numbers(rule, "bridge_mm", bridge, 2) && bridge[0] > 0 &&
+                           bridge[0] <= SFI_STACK_BRIDGE_MAX && bridge[1] >= 0 &&
+                           bridge[1] <= SFI_STACK_BRIDGE_MAX)) {
+        return document_fault(fault, SF_ERR_FORMAT,
+                              "bridge_mm of the rule is two lengths, a span above 0 and an anchor");
+    }
+    info->bridge_span_mm = bridge[0];
+    info->bridge_anchor_mm = bridge[1];
+    return SF_OK;
+}
+
 static sf_status read_rule(const json_t *root, stack_document *document, sf_fault *fault)
 {
     const json_t *object = json_object_get(root, "rule");
@@ -116,15 +131,8 @@ static sf_status read_rule(const json_t *root, stack_document *document, sf_faul
     if (object == NULL || json_is_null(object)) {
         return SF_OK;
     }
-    static const sf_rule_kind kinds[] = {SF_RULE_BOX3, SF_RULE_OCTAGON, SF_RULE_DISK};
-    int known = 0;
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (is_text(object, "kind", sfi_stack_rule_name(kinds[i]))) {
-            known = 1;
-            info->rule = kinds[i];
-        }
-    }
-    if (!known) {
+    const char *kind = json_string_value(json_object_get(object, "kind"));
+    if (sf_rule_kind_from_name(kind, &info->rule) != SF_OK) {
         return document_fault(fault, SF_ERR_UNSUPPORTED, "rule is none that this version knows");
     }
     int angle = info->rule == SF_RULE_BOX3 || (get_number(object, "angle_rad", &info->angle_rad) &&
@@ -138,6 +146,7 @@ static sf_status read_rule(const json_t *root, stack_document *document, sf_faul
             fault, SF_ERR_FORMAT,
             "rule needs angle_rad from 5 to 85 degrees and a bed_layer of the stack");
     }
+    SF_TRY(read_bridge(object, info, fault));
     info->has_rule = 1;
     return SF_OK;
 }
@@ -168,7 +177,8 @@ static sf_status read_root(const json_t *root, const sf_allocator *allocator,
     if (!is_text(root, "format", SFI_STACK_FORMAT)) {
         return document_fault(fault, SF_ERR_FORMAT, "format is not " SFI_STACK_FORMAT);
     }
-    if (!get_count(root, "version", UINT32_MAX, &version) || version != SFI_STACK_VERSION) {
+    if (!get_count(root, "version", UINT32_MAX, &version) || version < SFI_STACK_VERSION ||
+        version > SFI_STACK_VERSION_BRIDGED) {
         return document_fault(fault, SF_ERR_UNSUPPORTED,
                               "the version is not 1; a newer libsf wrote this stack");
     }

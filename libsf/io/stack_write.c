@@ -45,19 +45,6 @@ int sfi_stack_owns(const char *name)
     return digits >= 5 && (strcmp(ending, ".png") == 0 || strcmp(ending, ".pbm") == 0);
 }
 
-const char *sfi_stack_rule_name(sf_rule_kind kind)
-{
-    switch (kind) {
-    case SF_RULE_BOX3:
-        return "box3";
-    case SF_RULE_OCTAGON:
-        return "octagon";
-    case SF_RULE_DISK:
-        return "disk";
-    }
-    return NULL;
-}
-
 // Degrees of an angle: the round number that it was made from, where there is one.
 static double degrees(double angle_rad)
 {
@@ -106,7 +93,7 @@ static void emit_rule(sfi_emitter *out, const sf_stack_info *info)
         return;
     }
     sfi_emit_text(out, "  \"rule\": {\n    \"kind\": \"");
-    sfi_emit_text(out, sfi_stack_rule_name(info->rule));
+    sfi_emit_text(out, sf_rule_kind_name(info->rule));
     if (info->rule != SF_RULE_BOX3) {
         sfi_emit_text(out, "\",\n    \"angle_deg\": ");
         sfi_emit_number(out, degrees(info->angle_rad));
@@ -114,6 +101,11 @@ static void emit_rule(sfi_emitter *out, const sf_stack_info *info)
         sfi_emit_number(out, info->angle_rad);
     } else {
         sfi_emit_text(out, "\"");
+    }
+    if (info->bridge_span_mm > 0) {
+        double bridge[2] = {info->bridge_span_mm, info->bridge_anchor_mm};
+        sfi_emit_text(out, ",\n    \"bridge_mm\": ");
+        emit_numbers(out, bridge, 2);
     }
     sfi_emit_text(out, ",\n    \"bed_layer\": ");
     if (info->bed_layer == SF_BED_AUTO) {
@@ -130,7 +122,8 @@ static sf_status write_document(const sf_lattice *lattice, const sf_stack_info *
     sfi_emitter out;
     sfi_emitter_begin(&out, sink);
     sfi_emit_text(&out, "{\n  \"format\": \"" SFI_STACK_FORMAT "\",\n  \"version\": ");
-    sfi_emit_whole(&out, SFI_STACK_VERSION);
+    int bridged = info != NULL && info->has_rule && info->bridge_span_mm > 0;
+    sfi_emit_whole(&out, bridged ? SFI_STACK_VERSION_BRIDGED : SFI_STACK_VERSION);
     sfi_emit_text(&out, ",\n  \"units\": \"mm\",\n");
     emit_lattice(&out, lattice);
     emit_rule(&out, info);
@@ -173,13 +166,16 @@ static sf_status check_info(const sf_stack_info *info, const sf_lattice *lattice
     if (info == NULL || !info->has_rule) {
         return SF_OK;
     }
-    if (sfi_stack_rule_name(info->rule) == NULL ||
+    sf_rule_kind kind;
+    if (sf_rule_kind_from_name(sf_rule_kind_name(info->rule), &kind) != SF_OK ||
+        !(info->bridge_span_mm >= 0 && info->bridge_span_mm <= SFI_STACK_BRIDGE_MAX) ||
+        !(info->bridge_anchor_mm >= 0 && info->bridge_anchor_mm <= SFI_STACK_BRIDGE_MAX) ||
         (info->rule != SF_RULE_BOX3 &&
          !(info->angle_rad >= SF_RULE_ANGLE_MIN_RAD && info->angle_rad <= SF_RULE_ANGLE_MAX_RAD)) ||
         (info->bed_layer >= lattice->nz && info->bed_layer != SF_BED_AUTO)) {
         return sfi_fault_set(
             fault, SF_ERR_ARGUMENT, 0, 0,
-            "the rule's kind, angle or bed layer is none that this stack can have");
+            "the rule's kind, angle, bridge or bed layer is none that this stack can have");
     }
     return SF_OK;
 }

@@ -11,7 +11,12 @@
 //
 // Where heights differ, the octagon needs the reach from layer 0 to each layer (ALGORITHMS: with
 // k rho_k instead its error grows without bound), summed with Neumaier's compensation so that ten
-// thousand layers of 0.05 mm are no less than one of 500 mm; the disk needs the reach of each step.
+// thousand layers of 0.05 mm are no less than one of 500 mm; so does slack; the disk needs the
+// reach of each step.
+//
+// Slack counts reach in units of its own: as small as a byte for the cap allows, the cap being the
+// longest distance in any step's element. On pixels that are not square the longer side is rounded
+// up to units, so that no distance is taken for shorter than it is.
 //
 // A lattice that a rule cannot serve is refused with a sentence that says which rule or pitch can.
 //
@@ -21,12 +26,16 @@
 
 #include "base/math.h"
 #include "base/status.h"
+#include "support/carry.h"
 #include "support/rule.h"
 
 #include <math.h>
 
 #define ANGLE_SLACK_RAD 1e-9
 #define COS_22_5 0.92387953251128674
+#define BRIDGE_SLACK 0x1p-20 // voxels forgiven to a span or an anchor
+#define SLACK_CAP_MAX 254u   // 1 + slack is a byte
+#define SLACK_UNITS_MIN 4u   // units in the shorter pitch: coarser than that is no exact angle
 
 // What sf_rule_make() works with.
 typedef struct request {
@@ -35,6 +44,12 @@ typedef struct request {
     const sf_lattice *lattice;
     sf_fault *fault;
 } request;
+
+// value rounded up, but for a part in 2^40.
+static double ceil_to_unit(double value)
+{
+    return -floor(-value * (1.0 - 0x1p-40));
+}
 
 static uint64_t to_q24(double reach)
 {
@@ -102,7 +117,7 @@ static sf_status check_request(const request *r)
     if (r->kind == SF_RULE_OCTAGON && lattice->pitch_x_mm != lattice->pitch_y_mm) {
         return sfi_fault_set(r->fault, SF_ERR_UNSUPPORTED, 0, 0,
                              "the rule octagon needs square pixels, and the pitch along x differs "
-                             "from the pitch along y; use the rule disk");
+                             "from the pitch along y; use the rule slack or disk");
     }
     if (table_layers(lattice) == 0) {
         return check_step(r, 0, sf_lattice_layer_height(lattice, 0));
@@ -141,7 +156,7 @@ static void fill_steps(const request *r, double pitch, uint64_t *table)
 static sf_rule build(const request *r, uint64_t *table)
 {
     const sf_lattice *lattice = r->lattice;
-    sf_rule rule = {r->kind, 0, 0, 0, NULL};
+    sf_rule rule = {.kind = r->kind};
     if (table_layers(lattice) == 0) {
         double reach_mm = sf_lattice_layer_height(lattice, 0) * r->tangent;
         rule.reach_x_q24 = to_q24(reach_mm / lattice->pitch_x_mm);
@@ -149,12 +164,53 @@ static sf_rule build(const request *r, uint64_t *table)
         return rule;
     }
     void (*fill)(const request *, double, uint64_t *) =
-        r->kind == SF_RULE_OCTAGON ? fill_cumulative : fill_steps;
+        r->kind == SF_RULE_DISK ? fill_steps : fill_cumulative;
     fill(r, lattice->pitch_x_mm, table);
     fill(r, lattice->pitch_y_mm, table + lattice->nz);
     rule.table_count = lattice->nz;
     rule.table = table;
     return rule;
+}
+
+// Units in the pitches for `units` in the shorter one, and the cap: the dearest reach of an
+// element.
+static void set_units(const sf_lattice *lattice, const sf_element *element, uint32_t units,
+                      sf_rule *rule)
+{
+    double px = lattice->pitch_x_mm, py = lattice->pitch_y_mm, shorter = px < py ? px : py;
+    double x = ceil_to_unit(px / shorter * units), y = ceil_to_unit(py / shorter * units);
+    uint32_t cap = 0;
+    rule->slack_x = (uint16_t)(x < 65535.0 ? x : 65535.0);
+    rule->slack_y = (uint16_t)(y < 65535.0 ? y : 65535.0);
+    for (uint32_t dy = 0; dy <= element->reach_y; dy++) {
+        uint32_t cost = sfi_slack_cost(rule, element->half_width[dy], dy);
+        cap = cost > cap ? cost : cap;
+    }
+    rule->slack_cap = (uint16_t)(cap < 65535 ? cap : 65535);
+}
+
+// The smallest unit with which the cap of a rule's widest step fits a byte.
+static sf_status choose_units(const request *r, sf_rule *rule)
+{
+    uint32_t widest = 0;
+    for (uint32_t k = 1; k + 1 < table_layers(r->lattice); k++) {
+        widest = r->lattice->heights_mm[k] > r->lattice->heights_mm[widest] ? k : widest;
+    }
+    sf_element element;
+    rule->slack_x = rule->slack_y = rule->slack_cap = 1; // for the element to be asked for
+    SF_TRY(sf_rule_element(rule, widest, &element));
+    uint32_t units = SLACK_CAP_MAX;
+    for (set_units(r->lattice, &element, units, rule);
+         units > SLACK_UNITS_MIN && rule->slack_cap > SLACK_CAP_MAX; units--) {
+        set_units(r->lattice, &element, units - 1, rule);
+    }
+    if (rule->slack_cap > SLACK_CAP_MAX) {
+        return sfi_fault_set(r->fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "at this angle a step reaches over more than %u pixels, too many for "
+                             "the rule slack; use a larger pitch, thinner layers or the rule disk",
+                             (unsigned)(SLACK_CAP_MAX / SLACK_UNITS_MIN));
+    }
+    return SF_OK;
 }
 
 sf_status sf_rule_make(sf_rule_kind kind, double angle_rad, const sf_lattice *lattice,
@@ -171,7 +227,7 @@ sf_status sf_rule_make(sf_rule_kind kind, double angle_rad, const sf_lattice *la
         *rule = sf_rule_box3();
         return SF_OK;
     }
-    if (kind != SF_RULE_OCTAGON && kind != SF_RULE_DISK) {
+    if (kind != SF_RULE_OCTAGON && kind != SF_RULE_DISK && kind != SF_RULE_SLACK) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "there is no rule of this kind");
     }
     if (!(angle_rad >= SF_RULE_ANGLE_MIN_RAD - ANGLE_SLACK_RAD &&
@@ -186,7 +242,66 @@ sf_status sf_rule_make(sf_rule_kind kind, double angle_rad, const sf_lattice *la
     }
     request r = {kind, sfi_tan(angle_rad), lattice, fault};
     SF_TRY(check_request(&r));
-    *rule = build(&r, table);
+    sf_rule made = build(&r, table);
+    if (kind == SF_RULE_SLACK) {
+        SF_TRY(choose_units(&r, &made));
+    }
+    *rule = made;
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Bridges
+// ---------------------------------------------------------------------------------------------
+
+// A length in voxels, rounded up or down; more than the limit where it does not fit.
+static uint32_t whole_voxels(double mm, double pitch, int up)
+{
+    double voxels = mm / pitch;
+    if (voxels > SF_BRIDGE_SPAN_MAX) {
+        return SF_BRIDGE_SPAN_MAX + 1;
+    }
+    return (uint32_t)(up ? -floor(-voxels + BRIDGE_SLACK) : floor(voxels + BRIDGE_SLACK));
+}
+
+sf_status sf_rule_set_bridges(sf_rule *rule, double span_mm, double anchor_mm,
+                              const sf_lattice *lattice, sf_fault *fault)
+{
+    if (rule == NULL || lattice == NULL) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "a rule and a lattice are needed");
+    }
+    sf_status status = sf_lattice_validate(lattice);
+    if (status != SF_OK) {
+        return sfi_fault_set(fault, status, 0, 0, "the lattice is not a valid one");
+    }
+    if (!(span_mm >= 0.0) || !(anchor_mm >= 0.0)) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
+                             "the span of a bridge and its anchor are lengths in mm, 0 or more");
+    }
+    double px = lattice->pitch_x_mm, py = lattice->pitch_y_mm;
+    double pitches[3] = {px, py, sqrt(px * px + py * py)};
+    uint32_t spans[3], anchors[3], longest = 0;
+    for (int i = 0; i < 3; i++) {
+        spans[i] = whole_voxels(span_mm, pitches[i], 0);
+        anchors[i] = whole_voxels(anchor_mm, pitches[i], 1);
+        longest = spans[i] > longest ? spans[i] : longest;
+        longest = anchors[i] > longest ? anchors[i] : longest;
+    }
+    if (longest > SF_BRIDGE_SPAN_MAX) {
+        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "a bridge or its anchor is longer than %u voxels; use a larger pitch "
+                             "or a shorter one",
+                             (unsigned)SF_BRIDGE_SPAN_MAX);
+    }
+    if (span_mm > 0.0 && spans[0] == 0 && spans[1] == 0) {
+        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "a bridge of this span is shorter than a voxel; use a smaller pitch, "
+                             "or a span of 0 for no bridges");
+    }
+    sf_bridge none = {0, 0, 0, 0, 0, 0};
+    sf_bridge some = {(uint16_t)spans[0],   (uint16_t)spans[1],   (uint16_t)spans[2],
+                      (uint16_t)anchors[0], (uint16_t)anchors[1], (uint16_t)anchors[2]};
+    rule->bridge = span_mm > 0.0 ? some : none;
     return SF_OK;
 }
 
@@ -255,8 +370,19 @@ static sf_status measure_steps(const sf_rule *rule, const sf_lattice *lattice, t
     return SF_OK;
 }
 
-// The octagon's mean: its vertices lie at the reach of the rule, its sides at cos(22.5) of it.
-static tangents measure_octagon(const sf_rule *rule, const sf_lattice *lattice)
+// Tangent that a chain of steps makes good along (dx, dy) of the mean reach's: each step is paid
+// for in whole units.
+static double slack_share(const sf_rule *rule, const sf_lattice *lattice, uint32_t dx, uint32_t dy)
+{
+    double px = lattice->pitch_x_mm, py = lattice->pitch_y_mm;
+    double units = px < py ? rule->slack_x / px : rule->slack_y / py;
+    double paid = sfi_slack_cost(rule, dx, dy), x = dx * px, y = dy * py;
+    return sqrt(x * x + y * y) * units / paid;
+}
+
+// The mean over all layers. Octagon: its vertices lie at the reach of the rule, its sides at
+// cos(22.5) of it. Slack: the reach itself, less what its steps are rounded up by.
+static tangents measure_mean(const sf_rule *rule, const sf_lattice *lattice)
 {
     double reach = (double)rule->reach_x_q24, height = sf_lattice_layer_height(lattice, 0);
     if (rule->table != NULL) {
@@ -265,6 +391,12 @@ static tangents measure_octagon(const sf_rule *rule, const sf_lattice *lattice)
         height = sf_lattice_layer_bottom(lattice, top) - lattice->origin_mm[2];
     }
     double steepest = reach * 0x1p-24 * lattice->pitch_x_mm / height;
+    if (rule->kind == SF_RULE_SLACK) {
+        tangents t = {steepest * slack_share(rule, lattice, 1, 0),
+                      steepest * slack_share(rule, lattice, 0, 1),
+                      steepest * slack_share(rule, lattice, 1, 1), steepest};
+        return t;
+    }
     double side = steepest * COS_22_5;
     tangents t = {side, side, side, steepest};
     return t;
@@ -281,8 +413,8 @@ sf_status sf_rule_measure(const sf_rule *rule, const sf_lattice *lattice, sf_rul
     }
     SF_TRY(sfi_rule_check(rule, 0, lattice->nz));
     tangents t;
-    if (rule->kind == SF_RULE_OCTAGON) {
-        t = measure_octagon(rule, lattice);
+    if (rule->kind == SF_RULE_OCTAGON || rule->kind == SF_RULE_SLACK) {
+        t = measure_mean(rule, lattice);
     } else {
         SF_TRY(measure_steps(rule, lattice, &t));
     }

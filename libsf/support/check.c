@@ -2,14 +2,19 @@
 // The checker: is a stack of slices support-free, told layer by layer in memory of the caller's.
 //
 // Of the layers pushed so far only the last one matters, as it is (S) and as trimming leaves it
-// (T). The next layer's carried part is C = S_{k+1} and dilate(S_k), its kept part T_{k+1} =
-// S_{k+1} and dilate(T_k); three counts and the two differences S \ C (findings) and S \ T (lost
-// matter) are all that a report is made of. As long as nothing was lost T is S, and one dilation
-// does for both.
+// (T). The next layer's carried part C is what of S_{k+1} is alive on S_k, its kept part T_{k+1}
+// what is alive on T_k; three counts and the two differences S \ C (findings) and S \ T (lost
+// matter) are all that a report is made of. As long as nothing was lost T is S, and one step does
+// for both.
 //
-// Four slices are kept: S and T of the last layer, C and T of the one being pushed. The pushed
-// layer itself needs none, because it can be painted twice: first to be cut down to C, and again
-// over the old S once that has served. Bits, runs and grey rows differ in how they paint only.
+// A voxel that is not carried is named once and then stands as if it had been: it goes into S, with
+// no reach to spare under slack, so that what rests on it is judged by itself.
+//
+// Kept are S and T of the last layer, C and T of the one being pushed: four slices, and under slack
+// four planes of bytes. The pushed layer itself needs no room, because it can be painted twice:
+// first to be cut down to C, and again over the old S once that has served. Only where bridges are
+// looked for in it, it waits in a slice of its own. Bits, runs and grey rows differ in how they
+// paint only.
 //
 // A push checks everything, the rule's step included, before it paints anything; so one that fails
 // can be put right and pushed again.
@@ -23,19 +28,21 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
+#include "support/carry.h"
 #include "support/finding.h"
 #include "support/rule.h"
 #include "voxel/slice.h"
 
 struct sf_checker {
-    sf_rule rule;
     uint32_t first_layer;
     const unsigned char *memory; // all of it, to see that a pushed slice lies elsewhere
     size_t memory_size;
-    sf_slice below, below_kept; // S and T of the last layer
-    sf_slice carried, kept;     // C and T of the one being pushed
-    uint64_t below_lost;        // voxels of S \ T of the last layer
-    sf_check_report report;     // all but the findings' counts
+    sfi_carrier carrier;
+    sfi_front below, below_kept; // S and T of the last layer
+    sfi_front carried, kept;     // C and T of the one being pushed
+    sf_slice painted;            // bridges: the layer being pushed
+    uint64_t below_lost;         // voxels of S \ T of the last layer
+    sf_check_report report;      // all but the findings' counts
     sfi_finder finder;
 };
 
@@ -85,13 +92,37 @@ static void carve_finder(carver *c, const sf_check_options *o, sfi_finder *f)
     f->here.runs = carve(c, runs, sizeof *f->here.runs);
 }
 
+static sfi_front carve_front(carver *c, const sf_check_options *o)
+{
+    size_t size = 0;
+    c->fits = c->fits && sfi_front_size(&o->rule, o->width, o->height, &size);
+    void *memory = carve(c, size, 1);
+    sfi_front none = {SFI_NO_SLICE, NULL};
+    return memory != NULL ? sfi_front_place(&o->rule, o->width, o->height, memory) : none;
+}
+
+static void carve_carrier(carver *c, const sf_check_options *o, sf_checker *checker)
+{
+    size_t size = 0;
+    c->fits = c->fits && sfi_carrier_size(&o->rule, o->width, o->height, &size);
+    void *memory = carve(c, size, 1);
+    checker->painted = SFI_NO_SLICE;
+    if (size > 0) {
+        checker->painted = carve_slice(c, o->width, o->height);
+    }
+    if (c->base != NULL) {
+        checker->carrier = sfi_carrier_place(&o->rule, o->width, o->height, memory);
+    }
+}
+
 static void carve_checker(carver *c, const sf_check_options *o, sf_checker *checker)
 {
     (void)carve(c, 1, sizeof *checker);
-    checker->below = carve_slice(c, o->width, o->height);
-    checker->below_kept = carve_slice(c, o->width, o->height);
-    checker->carried = carve_slice(c, o->width, o->height);
-    checker->kept = carve_slice(c, o->width, o->height);
+    checker->below = carve_front(c, o);
+    checker->below_kept = carve_front(c, o);
+    checker->carried = carve_front(c, o);
+    checker->kept = carve_front(c, o);
+    carve_carrier(c, o, checker);
     carve_finder(c, o, &checker->finder);
 }
 
@@ -151,15 +182,9 @@ sf_status sf_checker_place(const sf_check_options *options, void *memory, size_t
         return SF_ERR_CAPACITY;
     }
     carver c = {memory, 0, 1};
-    sf_checker fresh = {.rule = options->rule,
-                        .first_layer = options->first_layer,
-                        .memory = memory,
-                        .memory_size = size};
+    sf_checker fresh = {.first_layer = options->first_layer, .memory = memory, .memory_size = size};
     fresh.report.bed_layer = options->bed_layer;
     carve_checker(&c, options, &fresh);
-    // The slices are read before anything was pushed; all else is written first.
-    clear(fresh.below);
-    clear(fresh.below_kept);
     *checker = memory;
     **checker = fresh;
     return SF_OK;
@@ -217,25 +242,54 @@ static sf_status paint(const source *s, sf_slice dst)
 // Pushing
 // ---------------------------------------------------------------------------------------------
 
-// What is carried and what is kept of layer k. solid may be the slice `carried`.
-static sf_status carry(sf_checker *c, uint32_t k, uint32_t bed, sf_slice solid,
-                       const sf_element *element)
+// Whether T of the last layer differs from S. Under slack it may where nothing was lost in that
+// layer, but something below: by what its voxels have to spare.
+static int is_apart(const sf_checker *c)
+{
+    return c->below_lost > 0 || (c->below.slack != NULL && c->report.trimmed_voxels > 0);
+}
+
+// The step from layer k - 1 to layer k: C and T. solid may be the slice `carried`.
+static sf_status carry(sf_checker *c, uint32_t k, uint32_t bed, sf_slice solid)
 {
     if (k < bed) {
-        clear(c->kept);
-    } else if (c->below_lost > 0) {
-        SF_TRY(sf_slice_and_dilate(c->kept, solid, c->below_kept, element));
+        sf_slice nothing = c->kept.alive;
+        clear(nothing);
+        SF_TRY(sfi_carry_bed(&c->carrier, nothing, c->kept));
+    } else if (is_apart(c)) {
+        SF_TRY(
+            sfi_carry(&c->carrier, k, &c->below_kept, solid, SFI_NO_SLICE, c->kept, SFI_NO_SLICE));
     }
-    SF_TRY(sf_slice_and_dilate(c->carried, solid, c->below, element));
-    return k < bed || c->below_lost > 0 ? SF_OK : sf_slice_copy(c->kept, c->carried);
+    return sfi_carry(&c->carrier, k, &c->below, solid, SFI_NO_SLICE, c->carried, SFI_NO_SLICE);
+}
+
+// The first layer, where it does not rest on the bed: nothing carries it.
+static sf_status hang(sf_checker *c)
+{
+    clear(c->carried.alive);
+    clear(c->kept.alive);
+    SF_TRY(sfi_carry_bed(&c->carrier, c->carried.alive, c->carried));
+    return sfi_carry_bed(&c->carrier, c->kept.alive, c->kept);
+}
+
+// T = C, as long as they are not apart.
+static sf_status keep_carried(sf_checker *c)
+{
+    SF_TRY(sf_slice_copy(c->kept.alive, c->carried.alive));
+    size_t codes = sfi_slack_stride(c->kept.alive.width) * c->kept.alive.height;
+    for (size_t i = 0; c->kept.slack != NULL && i < codes; i++) {
+        c->kept.slack[i] = c->carried.slack[i];
+    }
+    return SF_OK;
 }
 
 // Layer k has been compared: count it and name what is wrong with it.
 static void take_in(sf_checker *c, uint32_t k, const sf_element *element)
 {
-    uint64_t solid = sf_slice_popcount(c->below), carried = sf_slice_popcount(c->carried);
-    uint64_t kept = sf_slice_popcount(c->kept);
-    sfi_layer layer = {k, c->below, c->carried, c->kept, element};
+    sf_slice below = c->below.alive;
+    uint64_t solid = sf_slice_popcount(below), carried = sf_slice_popcount(c->carried.alive);
+    uint64_t kept = sf_slice_popcount(c->kept.alive);
+    sfi_layer layer = {k, below, c->carried.alive, c->kept.alive, element};
     if (carried > kept) {
         sfi_lost_follow(&c->finder, &layer);
     }
@@ -248,9 +302,21 @@ static void take_in(sf_checker *c, uint32_t k, const sf_element *element)
     c->report.unsupported_voxels += solid - carried;
     c->report.trimmed_voxels += solid - kept;
     c->report.layer_count++;
-    sf_slice swap = c->below_kept;
+    sfi_front swap = c->below_kept;
     c->below_kept = c->kept;
     c->kept = swap;
+}
+
+// The new S, over the old one: the layer as it is, with the slack of what is carried.
+static sf_status go_on_with(sf_checker *c, const source *s)
+{
+    if (c->below.slack != NULL) {
+        uint8_t *swap = c->below.slack;
+        c->below.slack = c->carried.slack;
+        c->carried.slack = swap;
+    }
+    SF_TRY(paint(s, c->below.alive));
+    return sfi_carry_anyway(&c->carrier, c->below.alive, c->below);
 }
 
 static sf_status push(sf_checker *c, const source *s)
@@ -261,11 +327,11 @@ static sf_status push(sf_checker *c, const source *s)
         return SF_ERR_OVERFLOW;
     }
     if (c->report.layer_count > 0) {
-        SF_TRY(sf_rule_element(&c->rule, k - 1, &element));
+        SF_TRY(sf_rule_element(&c->carrier.rule, k - 1, &element));
     }
     sf_slice solid = s->bits;
     if (solid.words == NULL) {
-        solid = c->carried;
+        solid = c->painted.words != NULL ? c->painted : c->carried.alive;
         SF_TRY(paint(s, solid));
     }
     uint32_t bed = c->report.bed_layer;
@@ -273,12 +339,17 @@ static sf_status push(sf_checker *c, const source *s)
         bed = k;
     }
     if (k == bed) {
-        SF_TRY(paint(s, c->carried));
-        SF_TRY(paint(s, c->kept));
+        SF_TRY(sfi_carry_bed(&c->carrier, solid, c->carried));
+        SF_TRY(keep_carried(c));
+    } else if (c->report.layer_count == 0) {
+        SF_TRY(hang(c));
     } else {
-        SF_TRY(carry(c, k, bed, solid, &element));
+        SF_TRY(carry(c, k, bed, solid));
+        if (k > bed && !is_apart(c)) {
+            SF_TRY(keep_carried(c));
+        }
     }
-    SF_TRY(paint(s, c->below));
+    SF_TRY(go_on_with(c, s));
     c->report.bed_layer = bed;
     take_in(c, k, &element);
     return SF_OK;
@@ -289,7 +360,7 @@ sf_status sf_checker_push(sf_checker *checker, sf_slice layer)
     if (checker == NULL) {
         return SF_ERR_ARGUMENT;
     }
-    SF_TRY(sfi_slice_validate_pair(layer, checker->below));
+    SF_TRY(sfi_slice_validate_pair(layer, checker->below.alive));
     uintptr_t first = (uintptr_t)checker->memory, end = first + checker->memory_size;
     uintptr_t from = (uintptr_t)layer.words;
     uintptr_t to = (uintptr_t)(sfi_slice_row(layer, layer.height - 1) + sfi_row_words(layer.width));
@@ -318,7 +389,7 @@ static int are_in_order(const sf_run *runs, size_t count, sf_slice slice)
 sf_status sf_checker_push_runs(sf_checker *checker, const sf_run *runs, size_t count)
 {
     if (checker == NULL || (runs == NULL && count > 0) ||
-        !are_in_order(runs, count, checker->below)) {
+        !are_in_order(runs, count, checker->below.alive)) {
         return SF_ERR_ARGUMENT;
     }
     source s = {{NULL, 0, 0, 0}, runs, count, NULL, 0, 0};
@@ -328,8 +399,8 @@ sf_status sf_checker_push_runs(sf_checker *checker, const sf_run *runs, size_t c
 sf_status sf_checker_push_grey(sf_checker *checker, const uint8_t *pixels, size_t row_bytes,
                                uint8_t threshold)
 {
-    if (checker == NULL || pixels == NULL || row_bytes < checker->below.width ||
-        row_bytes > SIZE_MAX / checker->below.height) {
+    if (checker == NULL || pixels == NULL || row_bytes < checker->below.alive.width ||
+        row_bytes > SIZE_MAX / checker->below.alive.height) {
         return SF_ERR_ARGUMENT;
     }
     source s = {{NULL, 0, 0, 0}, NULL, 0, pixels, row_bytes, threshold};

@@ -30,31 +30,58 @@
 //
 // Disk is the lattice ellipse of the step's own reach, rounded down anew in each step.
 //
+// Slack has no element that decides; what it has holds all that can carry, and slack.c says how
+// far.
+//
 // Freestanding: integers of 64 bits, no memory, no floating point (that is angle.c).
 //
 // Source: the schedule is Bresenham's line (IBM Systems Journal 4(1), 1965) in the (m, n) plane.
 
 #include "support/rule.h"
 
+#include "base/status.h"
+
 #define REACH_LARGEST ((uint64_t)SF_REACH_MAX * SFI_REACH_ONE)
 
 sf_rule sf_rule_box3(void)
 {
-    sf_rule rule = {SF_RULE_BOX3, 0, SFI_REACH_ONE, SFI_REACH_ONE, NULL};
+    sf_rule rule = {
+        .kind = SF_RULE_BOX3, .reach_x_q24 = SFI_REACH_ONE, .reach_y_q24 = SFI_REACH_ONE};
     return rule;
+}
+
+// By kind. Whoever adds a kind adds its name, and everything that reads or writes rules knows it.
+static const char *const kind_names[] = {"box3", "octagon", "disk", "slack"};
+enum { KIND_COUNT = sizeof kind_names / sizeof kind_names[0] };
+
+static int is_kind(sf_rule_kind kind)
+{
+    return (unsigned)kind < (unsigned)KIND_COUNT;
 }
 
 const char *sf_rule_kind_name(sf_rule_kind kind)
 {
-    switch (kind) {
-    case SF_RULE_BOX3:
-        return "box3";
-    case SF_RULE_OCTAGON:
-        return "octagon";
-    case SF_RULE_DISK:
-        return "disk";
+    return is_kind(kind) ? kind_names[kind] : "unknown";
+}
+
+static int is_same_text(const char *a, const char *b)
+{
+    while (*a != '\0' && *a == *b) {
+        a++;
+        b++;
     }
-    return "unknown";
+    return *a == *b;
+}
+
+sf_status sf_rule_kind_from_name(const char *name, sf_rule_kind *kind)
+{
+    for (int i = 0; name != NULL && kind != NULL && i < KIND_COUNT; i++) {
+        if (is_same_text(name, kind_names[i])) {
+            *kind = (sf_rule_kind)i;
+            return SF_OK;
+        }
+    }
+    return SF_ERR_ARGUMENT;
 }
 
 // floor(value * factor / 2^32) without 128-bit integers; value < 2^63.
@@ -89,6 +116,38 @@ static void octagon(uint64_t reach_below, uint64_t reach_above, sf_element *elem
     }
 }
 
+// All that a step under slack can reach: its ellipse, and the 5x5 without corners.
+static sf_status slack_element(uint64_t x_q24, uint64_t y_q24, sf_element *element)
+{
+    static const uint16_t around[3] = {2, 2, 1};
+    SF_TRY(sf_element_ellipse((x_q24 + 255) >> 8, (y_q24 + 255) >> 8, element));
+    for (uint16_t dy = 0; dy < 3; dy++) {
+        if (dy > element->reach_y) {
+            element->half_width[dy] = 0;
+        }
+        if (element->half_width[dy] < around[dy]) {
+            element->half_width[dy] = around[dy];
+        }
+    }
+    element->reach_y = element->reach_y < 2 ? 2 : element->reach_y;
+    return SF_OK;
+}
+
+// Whether the numbers that slack counts in are there. The last byte but one is for the cap: a code
+// is 1 + slack.
+static int is_slack_good(const sf_rule *rule)
+{
+    return rule->kind != SF_RULE_SLACK ||
+           (rule->slack_x > 0 && rule->slack_y > 0 && rule->slack_cap > 0 && rule->slack_cap < 255);
+}
+
+static int is_bridge_good(const sf_bridge *b)
+{
+    return b->span_x <= SF_BRIDGE_SPAN_MAX && b->span_y <= SF_BRIDGE_SPAN_MAX &&
+           b->span_diagonal <= SF_BRIDGE_SPAN_MAX && b->anchor_x <= SF_BRIDGE_SPAN_MAX &&
+           b->anchor_y <= SF_BRIDGE_SPAN_MAX && b->anchor_diagonal <= SF_BRIDGE_SPAN_MAX;
+}
+
 static int is_uniform_rule_good(const sf_rule *rule)
 {
     if (rule->reach_x_q24 > REACH_LARGEST || rule->reach_y_q24 > REACH_LARGEST) {
@@ -104,21 +163,21 @@ static int is_table_step_good(const sf_rule *rule, uint32_t k)
     if (count < 2 || k > count - 2) {
         return 0;
     }
-    const uint64_t *x = rule->table;
-    if (rule->kind == SF_RULE_OCTAGON) {
+    const uint64_t *x = rule->table, *y = x + count;
+    if (rule->kind == SF_RULE_SLACK &&
+        (y[k + 1] > INT64_MAX || y[k] > y[k + 1] || y[k + 1] - y[k] > REACH_LARGEST)) {
+        return 0;
+    }
+    if (rule->kind == SF_RULE_OCTAGON || rule->kind == SF_RULE_SLACK) {
         return x[k + 1] <= INT64_MAX && x[k] <= x[k + 1] && x[k + 1] - x[k] <= REACH_LARGEST;
     }
-    return x[k] <= REACH_LARGEST && x[count + k] <= REACH_LARGEST;
-}
-
-static int is_kind(sf_rule_kind kind)
-{
-    return kind == SF_RULE_BOX3 || kind == SF_RULE_OCTAGON || kind == SF_RULE_DISK;
+    return x[k] <= REACH_LARGEST && y[k] <= REACH_LARGEST;
 }
 
 static int is_step_good(const sf_rule *rule, uint32_t k)
 {
-    if (rule == NULL || k >= SF_LAYER_MAX || !is_kind(rule->kind)) {
+    if (rule == NULL || k >= SF_LAYER_MAX || !is_kind(rule->kind) || !is_slack_good(rule) ||
+        !is_bridge_good(&rule->bridge)) {
         return 0;
     }
     if (rule->kind == SF_RULE_BOX3) {
@@ -133,7 +192,8 @@ static int is_step_good(const sf_rule *rule, uint32_t k)
 sf_status sfi_rule_check(const sf_rule *rule, uint32_t first, uint32_t layer_count)
 {
     // A single slice takes no step, but the rule must still be one.
-    if (rule == NULL || !is_kind(rule->kind) || first > SF_LAYER_MAX ||
+    if (rule == NULL || !is_kind(rule->kind) || !is_slack_good(rule) ||
+        !is_bridge_good(&rule->bridge) || first > SF_LAYER_MAX ||
         layer_count > SF_LAYER_MAX - first) {
         return SF_ERR_ARGUMENT;
     }
@@ -160,6 +220,11 @@ sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_element *element)
         uint64_t below = table != NULL ? table[k] : k * rule->reach_x_q24;
         uint64_t above = table != NULL ? table[k + 1] : below + rule->reach_x_q24;
         octagon(below, above, element);
+    } else if (rule->kind == SF_RULE_SLACK && table != NULL) {
+        const uint64_t *y = table + rule->table_count;
+        return slack_element(table[k + 1] - table[k], y[k + 1] - y[k], element);
+    } else if (rule->kind == SF_RULE_SLACK) {
+        return slack_element(rule->reach_x_q24, rule->reach_y_q24, element);
     } else {
         uint64_t x = table != NULL ? table[k] : rule->reach_x_q24;
         uint64_t y = table != NULL ? table[rule->table_count + k] : rule->reach_y_q24;

@@ -34,6 +34,22 @@ int sfi_slice_overlap(sf_slice a, sf_slice b)
     return a_first < b_end && b_first < a_end;
 }
 
+int sfi_slice_any(sf_slice slice)
+{
+    size_t last = sfi_row_words(slice.width) - 1;
+    for (uint32_t y = 0; y < slice.height; y++) {
+        const uint64_t *row = sfi_slice_row(slice, y);
+        uint64_t any = row[last] & sfi_tail_mask(slice.width);
+        for (size_t i = 0; i < last; i++) {
+            any |= row[i];
+        }
+        if (any != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 int sfi_slice_same(sf_slice a, sf_slice b)
 {
     return a.words == b.words && a.stride == b.stride;

@@ -22,6 +22,9 @@ sf_status sfi_slice_validate_pair(sf_slice a, sf_slice b);
 // Whether any byte of one lies between the first and the last byte of the other.
 int sfi_slice_overlap(sf_slice a, sf_slice b);
 
+// Whether any voxel is solid. The slice must be one.
+int sfi_slice_any(sf_slice slice);
+
 // Whether both are the same view: same words, same stride.
 int sfi_slice_same(sf_slice a, sf_slice b);
 

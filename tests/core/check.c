@@ -25,7 +25,7 @@ static void *aligned_memory(void)
 // A rule as a host would hand it to a chip: integers, worked out beforehand.
 static sf_rule octagon(uint64_t reach_q24)
 {
-    sf_rule rule = {SF_RULE_OCTAGON, 0, reach_q24, reach_q24, NULL};
+    sf_rule rule = {.kind = SF_RULE_OCTAGON, .reach_x_q24 = reach_q24, .reach_y_q24 = reach_q24};
     return rule;
 }
 

@@ -27,6 +27,8 @@ LONGER_FUNCTIONS = {}
 # the rooms whose contracts they are; <sf/voxel.h> is the contract of simd and of voxel both.
 FLOORS = {"base": 0, "simd": 1, "voxel": 2, "support": 3, "mesh": 3, "sculpt": 4, "balance": 4,
           "grade": 4, "io": 5, "link": 5}
+# Rooms with more than one public header.
+HEADER_ROOMS = {"rule": "support"}
 SHARED_CONTRACT = {"simd": ["voxel"]}
 
 # What libsf asks of the C library. No locale, no files, no printing, nothing that allocates unseen.
@@ -272,7 +274,7 @@ def room_of(path):
     """The room that a file of libsf, or a header named in an #include, belongs to."""
     match = re.match(r"(?:libsf/)?(?:include/)?sf/(\w+)\.h$", path)
     if match:
-        return match.group(1)
+        return HEADER_ROOMS.get(match.group(1), match.group(1))
     return path.removeprefix("libsf/").split("/")[0]
 
 

@@ -42,7 +42,12 @@ static int same_lattice(const sf_grid *a, const sf_grid *b)
 
 static sf_stack_info random_info(uint32_t nz)
 {
-    sf_stack_info info = {1, (sf_rule_kind)test_random_below(3), 0.0, test_random_below(nz)};
+    sf_stack_info info = {.rule = (sf_rule_kind)test_random_below(4),
+                          .bed_layer = test_random_below(nz)};
+    if (test_random_below(3) == 0) {
+        info.bridge_span_mm = 0.1 + test_random_unit();
+        info.bridge_anchor_mm = test_random_unit();
+    }
     info.has_rule = test_random_below(4) != 0;
     if (info.rule != SF_RULE_BOX3) {
         info.angle_rad = SF_RULE_ANGLE_MIN_RAD +

@@ -45,7 +45,7 @@ static const struct {
     sf_status status;
 } change[] = {
     {"libsf-stack", "other-stack", SF_ERR_FORMAT},
-    {"\"version\": 1", "\"version\": 2", SF_ERR_UNSUPPORTED},
+    {"\"version\": 1", "\"version\": 3", SF_ERR_UNSUPPORTED},
     {"\"mm\"", "\"in\"", SF_ERR_UNSUPPORTED},
     {"\"white\"", "\"black\"", SF_ERR_UNSUPPORTED},
     {"top_is_max_y", "top_is_min_y", SF_ERR_UNSUPPORTED},
@@ -82,7 +82,7 @@ static void refuses_damaged_documents(void)
     memory_folder folder;
     sf_folder files = memory_begin_folder(&folder);
     sf_grid *grid = small_grid(3);
-    sf_stack_info info = {1, SF_RULE_OCTAGON, 0.7853981633974483, 1};
+    sf_stack_info info = {1, SF_RULE_OCTAGON, 0.7853981633974483, 1, 0, 0};
     sf_fault fault;
     CHECK_EQ(sf_stack_write(grid, &info, files, NULL, NULL), SF_OK);
     char original[2048] = {0}, changed[4096];
@@ -226,11 +226,11 @@ static void refuses_wrong_arguments(void)
     CHECK_EQ(sf_stack_write(grid, NULL, none, NULL, NULL), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_stack_read(none, NULL, NULL, &back, NULL, NULL), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_stack_read(files, NULL, NULL, NULL, NULL, NULL), SF_ERR_ARGUMENT);
-    sf_stack_info wrong[] = {{1, (sf_rule_kind)7, 0.7, 0},
-                             {1, SF_RULE_DISK, 0.0, 0},
-                             {1, SF_RULE_DISK, NAN, 0},
-                             {1, SF_RULE_OCTAGON, 1.6, 0},
-                             {1, SF_RULE_BOX3, 0.0, 2}};
+    sf_stack_info wrong[] = {
+        {1, (sf_rule_kind)7, 0.7, 0, 0, 0}, {1, SF_RULE_DISK, 0.0, 0, 0, 0},
+        {1, SF_RULE_DISK, NAN, 0, 0, 0},    {1, SF_RULE_OCTAGON, 1.6, 0, 0, 0},
+        {1, SF_RULE_BOX3, 0.0, 2, 0, 0},    {1, SF_RULE_BOX3, 0.0, 0, -1, 0},
+        {1, SF_RULE_SLACK, 0.7, 0, NAN, 0}, {1, SF_RULE_SLACK, 0.7, 0, 1, HUGE_VAL}};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         CHECK_EQ(sf_stack_write(grid, &wrong[i], files, NULL, NULL), SF_ERR_ARGUMENT);
     }

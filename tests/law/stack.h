@@ -316,7 +316,9 @@ static inline void library_trim(stack *result, const stack *s, const sf_rule *ru
 // A rule whose every step is the disk of this radius in voxels; 0 is straight down only.
 static inline sf_rule rule_of_radius(unsigned radius)
 {
-    sf_rule rule = {SF_RULE_DISK, 0, (uint64_t)radius << 24, (uint64_t)radius << 24, NULL};
+    sf_rule rule = {.kind = SF_RULE_DISK,
+                    .reach_x_q24 = (uint64_t)radius << 24,
+                    .reach_y_q24 = (uint64_t)radius << 24};
     return rule;
 }
 

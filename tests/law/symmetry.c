@@ -50,7 +50,8 @@ static void false_symmetries(void)
 {
     static stack s;
     sf_rule box = sf_rule_box3();
-    sf_rule ellipse = {SF_RULE_DISK, 0, UINT64_C(2) << 24, UINT64_C(1) << 24, NULL};
+    sf_rule ellipse = {
+        .kind = SF_RULE_DISK, .reach_x_q24 = UINT64_C(2) << 24, .reach_y_q24 = UINT64_C(1) << 24};
     stack_parse(&s, "#../.../...|..#/.../...");
     CHECK(commutes(&s, &ellipse, MIRROR_X) && commutes(&s, &ellipse, MIRROR_Y));
     CHECK(!commutes(&s, &ellipse, TRANSPOSE));

@@ -42,7 +42,10 @@ static inline int write_stack(const sf_grid *grid, const sf_stack_info *info, co
 
 static inline sf_stack_info stack_info(sf_rule_kind kind, double degrees, uint32_t bed_layer)
 {
-    sf_stack_info info = {1, kind, degrees * (3.14159265358979323846 / 180.0), bed_layer};
+    sf_stack_info info = {.has_rule = 1,
+                          .rule = kind,
+                          .angle_rad = degrees * (3.14159265358979323846 / 180.0),
+                          .bed_layer = bed_layer};
     return info;
 }
 

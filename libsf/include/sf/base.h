@@ -79,7 +79,8 @@ typedef enum sf_status {
     SF_ERR_UNSUPPORTED = 8, /**< well-formed, but not served by this rule, build or version */
     SF_ERR_CANCELLED = 9,   /**< the task was cancelled */
     SF_ERR_INTERNAL = 10,   /**< a promise of the library was broken: please report it */
-    SF_STATUS_COUNT = 11    /**< number of codes, not a code */
+    SF_ERR_INFEASIBLE = 11, /**< what must stay cannot be carried within what may be there */
+    SF_STATUS_COUNT = 12    /**< number of codes, not a code */
 } sf_status;
 
 /**

@@ -135,11 +135,13 @@ typedef struct sf_folder {
 
 /** The rule that a stack was made under, as stack.json carries it. */
 typedef struct sf_stack_info {
-    int has_rule;       /**< 0: the stack says nothing of a rule, and the rest is 0 */
-    sf_rule_kind rule;  /**< which rule */
-    double angle_rad;   /**< its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0 */
-    uint32_t bed_layer; /**< layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts
-                           from layer 0 */
+    int has_rule;          /**< 0: the stack says nothing of a rule, and the rest is 0 */
+    sf_rule_kind rule;     /**< which rule */
+    double angle_rad;      /**< its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0 */
+    uint32_t bed_layer;    /**< layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts
+                              from layer 0 */
+    double bridge_span_mm; /**< bridges of the rule, 0: none; see sf_rule_set_bridges() */
+    double bridge_anchor_mm; /**< carried matter that each end of one must have */
 } sf_stack_info;
 
 /**
@@ -162,13 +164,14 @@ SF_API int sf_stack_has_png(void);
  *     {"format": "libsf-stack", "version": 1, "units": "mm",
  *      "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
  *                  "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
- *      "rule": null or {"kind": "box3" | "octagon" | "disk",
- *                       "angle_deg", "angle_rad", "bed_layer"},
+ *      "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
+ *                       "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer"},
  *      "layers": {"pattern": "layer_%05u.png", "count": nz},
  *      "solid": "white", "row_order": "top_is_max_y"}
  *
  * Its numbers read back as the same doubles. angle_deg is for people: the reader takes angle_rad;
- * box3 has neither. bed_layer is null for SF_BED_AUTO. A folder without stack.json is no stack, so
+ * box3 has neither. bridge_mm is there only where the rule has bridges, and then the version is 2.
+ * bed_layer is null for SF_BED_AUTO. A folder without stack.json is no stack, so
  * a call that fails leaves none in a folder that had none; over sf_directory_write() it leaves
  * nothing at all.
  *

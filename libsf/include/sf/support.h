@@ -3,9 +3,10 @@
 // so.
 //
 // A shape S_0, S_1, ... is support-free under a rule when every slice lies within what the slice
-// below can carry: S_{k+1} is a subset of S_k dilated by the rule's element for that step. One
-// slice, the bed slice, rests on the bed and needs nothing below it; by default it is the first
-// slice that holds matter. What lies outside a slice is empty: nothing is carried from there.
+// below can carry: for rules that are an element for each step, S_{k+1} is a subset of S_k dilated
+// by that element; slack and bridges are told in <sf/rule.h>. One slice, the bed slice, rests on
+// the bed and needs nothing below it; by default it is the first slice that holds matter. What lies
+// outside a slice is empty: nothing is carried from there.
 //
 // Three things are built on that sentence. A rule says which element each step has. A check counts
 // what is not carried, and names the places (findings), lowest first, each with the one that caused
@@ -17,158 +18,11 @@
 #ifndef SF_SUPPORT_H
 #define SF_SUPPORT_H
 
-#include <sf/voxel.h>
+#include <sf/rule.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-// ---------------------------------------------------------------------------------------------
-// Rule
-// ---------------------------------------------------------------------------------------------
-
-/** Which voxels below can carry a voxel. */
-typedef enum sf_rule_kind {
-    SF_RULE_BOX3 = 0,    /**< the nine voxels below: the papers' rule; takes no angle */
-    SF_RULE_OCTAGON = 1, /**< a schedule of pluses and squares that stays within the asked angle */
-    SF_RULE_DISK = 2 /**< an ellipse in voxels, a disk in mm, the same for layers of one height */
-} sf_rule_kind;
-
-/** Smallest overhang angle that a rule can be made for, in radians: 5 degrees. */
-#define SF_RULE_ANGLE_MIN_RAD 0.08726646259971647
-/** Largest overhang angle that a rule can be made for, in radians: 85 degrees. */
-#define SF_RULE_ANGLE_MAX_RAD 1.4835298641951802
-
-/**
- * A support rule for one lattice: make it with sf_rule_box3() or sf_rule_make(), and only read it.
- *
- * Holds integers only: reaches are in 1/2^24 voxel. The reach of a step is how far, measured in the
- * plane, matter may lie beyond the matter that carries it. `table` belongs to the caller of
- * sf_rule_make() and must outlive every use of the rule.
- */
-typedef struct sf_rule {
-    sf_rule_kind kind;
-    uint32_t table_count;  /**< layers that the table serves; 0 when all layers have one height */
-    uint64_t reach_x_q24;  /**< one height: reach of one step along x */
-    uint64_t reach_y_q24;  /**< one height: reach of one step along y */
-    const uint64_t *table; /**< table_count numbers for x, then as many for y; or NULL. Octagon:
-                                reach from layer 0 to each layer. Disk: reach of each step. */
-} sf_rule;
-
-/**
- * What a rule allows on its lattice, for people: angles from the vertical, in radians.
- *
- * The first three hold in the long run, over many layers, in every layer of the lattice; the last
- * is exceeded nowhere but for rounding (octagon: less than 1.502 voxel in the plane, however long
- * the overhang).
- */
-typedef struct sf_rule_angles {
-    double axis_x_rad;   /**< an overhang along x is accepted up to this angle */
-    double axis_y_rad;   /**< the same along y */
-    double diagonal_rad; /**< the same along the diagonal of a pixel */
-    double steepest_rad; /**< no overhang beyond this angle is accepted in any direction */
-} sf_rule_angles;
-
-/**
- * The papers' rule: a voxel is carried by any of the nine below it.
- *
- * It takes no angle. On cubic voxels it accepts 45 degrees along the axes and 54.7 degrees along
- * diagonals; sf_rule_measure() says what it accepts on another lattice.
- *
- * @return the rule; it serves every lattice.
- * @cost constant.   @threads any.
- * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
- * Eurographics 2016, section 3.2.
- * @since 0.1
- */
-SF_API sf_rule sf_rule_box3(void);
-
-/**
- * Number of uint64_t that the table of sf_rule_make() needs for a lattice.
- *
- * @param lattice  any lattice; NULL counts as uniform
- * @return 0 where all layers have one height (heights_mm == NULL, or one layer), else 2 * nz.
- * @cost constant.   @threads any.
- * @since 0.1
- */
-SF_API size_t sf_rule_table_count(const sf_lattice *lattice);
-
-/**
- * Make a rule for an overhang angle on a lattice.
- *
- * The angle is measured from the vertical: 45 degrees is as far out as up, and larger is more
- * daring. The reach of a step from layer k is height_k * tan(angle) / pitch voxels, rounded down to
- * 1/2^24 voxel after one part in 2^40 has been forgiven, so that 45 degrees on cubes is exactly 1
- * whatever way the angle and the pitch were written.
- *
- * Octagon is the rule to take where an angle is given and pixels are square: it never reaches
- * beyond the asked angle but for less than 1.502 voxel, in any direction and over any number of
- * layers; along the axes and the diagonals it stays at atan(0.924 tan(angle)). Disk is good where
- * the reach is three voxels or more, because each step rounds down anew; it serves pixels that are
- * not square. Box3 ignores the angle.
- *
- * @param kind       which rule
- * @param angle_rad  SF_RULE_ANGLE_MIN_RAD to SF_RULE_ANGLE_MAX_RAD (5 to 85 degrees, each bound
- *                   with 1e-9 to spare); ignored by box3
- * @param lattice    the lattice that slices lie on
- * @param table      sf_rule_table_count() numbers, or NULL where that is 0 or for box3; written,
- *                   and kept by the rule
- * @param rule       the rule
- * @param fault      NULL, or where a refusal is explained
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such kind, an angle outside its range or not a
- * number; SF_ERR_UNSUPPORTED: octagon on pixels that are not square, disk where a step reaches less
- * than a voxel, a step that reaches more than SF_REACH_MAX voxels; what sf_lattice_validate() says.
- * @cost O(nz) where heights differ, else constant.   @threads any.
- * @source The octagon's schedule is a Bresenham line in the number of pluses and squares
- * (J. E. Bresenham, 1965).
- * @since 0.1
- */
-SF_API SF_CHECKED sf_status sf_rule_make(sf_rule_kind kind, double angle_rad,
-                                         const sf_lattice *lattice, uint64_t *table, sf_rule *rule,
-                                         sf_fault *fault);
-
-/**
- * The element of one step: slice k + 1 must lie within slice k dilated by it.
- *
- * The octagon's elements differ from step to step even where all layers have one height, so k is
- * always the lattice's layer, never a count from the bed.
- *
- * @param rule     the rule
- * @param k        layer below the step, counted from the lattice's layer 0
- * @param element  the element
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a rule that sf_rule_make() did not make, or a
- * table that does not reach to layer k + 1.
- * @cost O(reach).   @threads any.
- * @since 0.1
- */
-SF_API SF_CHECKED sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_element *element);
-
-/**
- * Angles that a rule allows on a lattice.
- *
- * Box3 and disk: from the reach of single steps, the worst over the layers. Octagon: from its mean
- * reach; a window of L layers is within 1.502 voxel of that.
- *
- * @param rule     the rule
- * @param lattice  the lattice that it was made for; any for box3
- * @param angles   the angles
- * @return SF_OK; SF_ERR_ARGUMENT: as sf_rule_element(); SF_ERR_SHAPE: the rule was made for another
- * number of layers; what sf_lattice_validate() says.
- * @cost O(nz + d * reach^2) where d neighbouring layers differ in height.   @threads any.
- * @since 0.1
- */
-SF_API SF_CHECKED sf_status sf_rule_measure(const sf_rule *rule, const sf_lattice *lattice,
-                                            sf_rule_angles *angles);
-
-/**
- * Name of a rule kind, as the command line and stack.json spell it.
- *
- * @param kind  any value
- * @return "box3", "octagon", "disk", or "unknown"; a static string, never NULL.
- * @cost constant.   @threads any.
- * @since 0.1
- */
-SF_API const char *sf_rule_kind_name(sf_rule_kind kind);
 
 // ---------------------------------------------------------------------------------------------
 // Bed
@@ -182,6 +36,65 @@ SF_API const char *sf_rule_kind_name(sf_rule_kind kind);
  * trimmed everywhere, and a trim removes it.
  */
 #define SF_BED_AUTO UINT32_MAX
+
+// ---------------------------------------------------------------------------------------------
+// Terms
+// ---------------------------------------------------------------------------------------------
+
+/**
+ * The terms that an operator works on: a rule, a bed, and masks. Fill with sf_terms_default().
+ *
+ * A mask is a grid of the same counts as the shape's, and its solid voxels are what it names; NULL
+ * where there is none. Masks are only read, and must not be the grid that is changed.
+ */
+typedef struct sf_terms {
+    size_t struct_size;    /**< sizeof(sf_terms), set by the default */
+    sf_rule rule;          /**< box3 by default; its table must outlive every use of the terms */
+    uint32_t bed_layer;    /**< layer that rests on the bed, or SF_BED_AUTO (default) */
+    const sf_grid *exempt; /**< counts as carried already, with no reach to spare: overhangs that
+                              are accepted, matter that something else holds */
+    const sf_grid *keep;   /**< never removed, where it is solid in the shape */
+    const sf_grid *forbid; /**< never added */
+    const sf_grid *act;    /**< where an operator may act; NULL: everywhere */
+} sf_terms;
+
+/**
+ * Terms without masks: rule box3, bed by the shape itself.
+ *
+ * @return the terms, by value.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API sf_terms sf_terms_default(void);
+
+/**
+ * Whether something that must stay can be carried within what may be there; and if not, what of it
+ * cannot.
+ *
+ * A support-free shape R with needed within R within allowed exists just when needed lies within
+ * the trim of `allowed`. Each voxel that does not is a culprit: it cannot be carried even alone,
+ * and giving up or exempting just the culprits makes the rest possible. True for every rule.
+ *
+ * @param allowed    all voxels that may be solid
+ * @param needed     voxels that must be; what of them is not allowed is a culprit
+ * @param terms      rule, bed layer and exempt voxels; the other masks are not looked at. With
+ *                   SF_BED_AUTO the bed is the first layer that holds matter in `allowed`
+ * @param allocator  for working memory: a grid, and a slice or two; NULL for the C library's
+ * @param task       NULL, or progress per slice; a cancel is honoured at every slice
+ * @param culprits   NULL, or a grid whose voxels are set to the culprits; neither of the others
+ * @param count      number of culprits; may be NULL
+ * @return SF_OK: feasible; SF_ERR_INFEASIBLE: it is not, and culprits and count were written;
+ * SF_ERR_ARGUMENT: a NULL pointer, terms without their struct_size, a bed layer that the grid has
+ * not, a rule that does not serve all its layers; SF_ERR_SHAPE: grids that differ in counts;
+ * SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost a trim.   @threads any; the grids but culprits are only read.
+ * @source the greatest support-free subset is unique because support-free sets are closed under
+ * union.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_feasible(const sf_grid *allowed, const sf_grid *needed,
+                                             const sf_terms *terms, const sf_allocator *allocator,
+                                             sf_task *task, sf_grid *culprits, uint64_t *count);
 
 // ---------------------------------------------------------------------------------------------
 // Check
@@ -204,6 +117,9 @@ typedef enum sf_finding_kind {
  * where nothing carries it; else to the one with the lowest index among those that the voxels which
  * carry it are due to, all of which are lost as well.
  *
+ * Under slack, and with bridges, a voxel can be lost because of matter that lies farther off than
+ * what carries it; no finding answers for such voxels (unlinked_voxels).
+ *
  * An island touches nothing that is carried, and has no cause. An overhang has one when all carried
  * voxels that touch its region, corners included, are lost: the lowest index that these are due to.
  * It grows out of matter that hangs in the air already, so the cause is what to look at first.
@@ -225,17 +141,18 @@ typedef struct sf_finding {
  * one would hold in its first places.
  */
 typedef struct sf_check_report {
-    uint32_t layer_count;        /**< layers pushed */
-    uint32_t bed_layer;          /**< the bed layer; SF_BED_AUTO while there was no matter */
-    uint64_t solid_voxels;       /**< |S| */
-    uint64_t unsupported_voxels; /**< sum over k of |S_{k+1} \ dilate(S_k)| */
-    uint64_t trimmed_voxels;     /**< |S| - |trim S| */
-    uint64_t island_count;       /**< findings of kind island */
-    uint64_t overhang_count;     /**< findings of kind overhang */
-    uint64_t findings_dropped;   /**< findings that did not fit the caller's array */
-    uint64_t runs_dropped;       /**< runs of lost matter that did not fit run_capacity */
-    uint64_t unlinked_voxels;    /**< trimmed voxels that no finding in the array answers for */
-    int support_free;            /**< 1 when unsupported_voxels is 0 */
+    uint32_t layer_count;  /**< layers pushed */
+    uint32_t bed_layer;    /**< the bed layer; SF_BED_AUTO while there was no matter */
+    uint64_t solid_voxels; /**< |S| */
+    uint64_t
+        unsupported_voxels;    /**< sum over k of what of S_{k+1} is not carried by S_k as drawn */
+    uint64_t trimmed_voxels;   /**< |S| - |trim S| */
+    uint64_t island_count;     /**< findings of kind island */
+    uint64_t overhang_count;   /**< findings of kind overhang */
+    uint64_t findings_dropped; /**< findings that did not fit the caller's array */
+    uint64_t runs_dropped;     /**< runs of lost matter that did not fit run_capacity */
+    uint64_t unlinked_voxels;  /**< trimmed voxels that no finding in the array answers for */
+    int support_free;          /**< 1 when unsupported_voxels is 0 */
 } sf_check_report;
 
 /** How a check runs. Fill with sf_check_options_default(). */
@@ -264,6 +181,9 @@ SF_API sf_check_options sf_check_options_default(void);
 /**
  * A streaming check that keeps two layers, and two more while a layer is pushed.
  *
+ * A voxel that nothing carries counts once; what rests on it is then judged as if it were carried,
+ * under slack with no reach to spare.
+ *
  * Lives in memory of the caller's, takes none of its own, and computes with integers only, so that
  * a printer's controller can run it while it reads a job. It needs no end: the report may be asked
  * for after any layer, and the memory may be reused when it is no longer wanted.
@@ -273,8 +193,8 @@ typedef struct sf_checker sf_checker;
 /**
  * Bytes of memory that sf_checker_place() needs for these options.
  *
- * About four slices, 42 bytes for each column, and with findings 32 bytes for each run of
- * run_capacity and 4 for each column.
+ * About four slices (under slack 36, with bridges four more), 42 bytes for each column, and with
+ * findings 32 bytes for each run of run_capacity and 4 for each column.
  *
  * @param options  the options that the checker will be placed with
  * @param size     the bytes
@@ -428,6 +348,28 @@ typedef struct sf_trim_report {
  */
 SF_API SF_CHECKED sf_status sf_grid_trim(sf_grid *grid, const sf_rule *rule, uint32_t bed_layer,
                                          sf_task *task, sf_trim_report *report);
+
+/**
+ * Trim on terms: with exempt voxels, and only if nothing that must stay is lost.
+ *
+ * The result is the largest part of the shape that is support-free apart from the exempt voxels. It
+ * is refused where that part lacks a voxel that must stay: one of `keep`, or one outside `act`.
+ *
+ * @param grid       the shape, changed in place
+ * @param terms      rule, bed layer and masks; `forbid` is not looked at, because nothing is added
+ * @param allocator  for working memory: a grid; NULL for the C library's
+ * @param task       NULL, or progress per slice; a cancel is honoured at every slice
+ * @param culprits   NULL, or a grid that is set, on SF_ERR_INFEASIBLE, to the voxels that must stay
+ *                   and cannot
+ * @param report     counts, or NULL
+ * @return SF_OK; SF_ERR_INFEASIBLE: a voxel that must stay cannot, and the shape is as it was; and
+ * what sf_grid_feasible() says.
+ * @cost a copy of the grid and a trim.   @threads one per grid.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms,
+                                            const sf_allocator *allocator, sf_task *task,
+                                            sf_grid *culprits, sf_trim_report *report);
 
 /**
  * Bring `printable` = trim(`drawn`) up to date after `drawn` changed within `box`.

@@ -23,6 +23,7 @@ static void codes_keep_their_numbers_and_names(void)
         {SF_ERR_UNSUPPORTED, 8, "SF_ERR_UNSUPPORTED"},
         {SF_ERR_CANCELLED, 9, "SF_ERR_CANCELLED"},
         {SF_ERR_INTERNAL, 10, "SF_ERR_INTERNAL"},
+        {SF_ERR_INFEASIBLE, 11, "SF_ERR_INFEASIBLE"},
     };
     CHECK_EQ(sizeof all / sizeof all[0], SF_STATUS_COUNT);
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {

@@ -158,7 +158,7 @@ static void refused_pushes_change_nothing(void)
     for (uint64_t k = 0; k < 6; k++) {
         table[k] = table[6 + k] = k << 24;
     }
-    sf_rule rule = {SF_RULE_OCTAGON, 6, 0, 0, table};
+    sf_rule rule = {.kind = SF_RULE_OCTAGON, .table_count = 6, .table = table};
     stack_random(&s, 70, 4, 6, 0.4);
     sf_check_options o = pushed_options(&s, &rule, SF_BED_AUTO, &plain);
     push_form(&plain, &s, &o, 0);

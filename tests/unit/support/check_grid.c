@@ -72,7 +72,7 @@ static void failing_calls_change_nothing(void)
     static pushed before, after;
     stack_random(&s, 30, 10, 6, 0.4);
     sf_grid *grid = stack_grid(&s);
-    sf_rule rule = sf_rule_box3(), bad = {(sf_rule_kind)4, 0, 0, 0, NULL};
+    sf_rule rule = sf_rule_box3(), bad = {.kind = (sf_rule_kind)9};
     memset(&before, 0x5a, sizeof before);
     after = before;
     sf_check_options o = pushed_options(&s, &rule, SF_BED_AUTO, &after), p;

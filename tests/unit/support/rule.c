@@ -37,7 +37,7 @@ static int same(const sf_element *a, const sf_element *b)
 static void octagon_steps_are_sums_of_pluses_and_squares(void)
 {
     for (int i = 0; i < 400; i++) {
-        sf_rule rule = {SF_RULE_OCTAGON, 0, 0, 0, NULL};
+        sf_rule rule = {.kind = SF_RULE_OCTAGON};
         rule.reach_x_q24 = rule.reach_y_q24 = test_random_below(30u << 24);
         sf_element element;
         CHECK_EQ(sf_rule_element(&rule, test_random_below(1000000), &element), SF_OK);
@@ -335,7 +335,7 @@ static void refusals_say_what_to_do(void)
     sf_lattice thin = lattice_of(0.1, 0.1, 0.0, 3, heights);
     sf_lattice fine = lattice_of(0.0001, 0.0001, 0.1, 3, NULL);
     sf_lattice broken = lattice_of(0.0, 0.1, 0.1, 3, NULL);
-    refused(SF_RULE_OCTAGON, 0.7, oblong, SF_ERR_UNSUPPORTED, "rule disk");
+    refused(SF_RULE_OCTAGON, 0.7, oblong, SF_ERR_UNSUPPORTED, "rule slack or disk");
     refused(SF_RULE_DISK, 0.7, oblong, SF_ERR_UNSUPPORTED, "along x of at most 84 micrometres");
     refused(SF_RULE_DISK, 0.9, thin, SF_ERR_UNSUPPORTED, "layer 1; use the rule octagon");
     refused(SF_RULE_OCTAGON, 0.7, fine, SF_ERR_UNSUPPORTED, "255 voxels");
@@ -363,11 +363,12 @@ static void elements_of_broken_rules_are_refused(void)
 {
     uint64_t table[8] = {0, 1 << 24, 0, 3 << 24, 0, 0, 0, 0};
     sf_element element;
-    sf_rule none = {(sf_rule_kind)9, 0, 0, 0, NULL};
-    sf_rule falling = {SF_RULE_OCTAGON, 4, 0, 0, table};
-    sf_rule lopsided = {SF_RULE_OCTAGON, 0, 5, 6, NULL};
-    sf_rule endless = {SF_RULE_DISK, 0, (uint64_t)256 << 24, 1 << 24, NULL};
-    sf_rule lost = {SF_RULE_DISK, 4, 0, 0, NULL};
+    sf_rule none = {.kind = (sf_rule_kind)9};
+    sf_rule falling = {.kind = SF_RULE_OCTAGON, .table_count = 4, .table = table};
+    sf_rule lopsided = {.kind = SF_RULE_OCTAGON, .reach_x_q24 = 5, .reach_y_q24 = 6};
+    sf_rule endless = {
+        .kind = SF_RULE_DISK, .reach_x_q24 = (uint64_t)256 << 24, .reach_y_q24 = 1 << 24};
+    sf_rule lost = {.kind = SF_RULE_DISK, .table_count = 4};
     CHECK_EQ(sf_rule_element(&none, 0, &element), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_rule_element(&falling, 0, &element), SF_OK);
     CHECK_EQ(sf_rule_element(&falling, 1, &element), SF_ERR_ARGUMENT);
@@ -388,7 +389,7 @@ static void elements_of_broken_rules_are_refused(void)
 // Wherever the phase stands, up to the last layer there can be.
 static void schedule_holds_at_the_far_end(void)
 {
-    sf_rule rule = {SF_RULE_OCTAGON, 0, 0, 0, NULL};
+    sf_rule rule = {.kind = SF_RULE_OCTAGON};
     for (int i = 0; i < 2000; i++) {
         rule.reach_x_q24 = rule.reach_y_q24 = test_random_below(255) * SFI_REACH_ONE + 12345;
         sf_element element;

@@ -149,8 +149,8 @@ static void failing_calls_change_nothing(void)
     stack_random(&s, 30, 10, 6, 0.5);
     sf_grid *grid = stack_grid(&s);
     uint64_t table[8] = {0, 1 << 24, 2 << 24, 3 << 24, 0, 0, 0, 0};
-    sf_rule box = sf_rule_box3(), unknown = {(sf_rule_kind)4, 0, 0, 0, NULL};
-    sf_rule low = {SF_RULE_OCTAGON, 4, 0, 0, table};
+    sf_rule box = sf_rule_box3(), unknown = {.kind = (sf_rule_kind)9};
+    sf_rule low = {.kind = SF_RULE_OCTAGON, .table_count = 4, .table = table};
     sf_trim_report report = {1, 2, 3};
     CHECK_EQ(sf_grid_trim(NULL, &box, SF_BED_AUTO, NULL, &report), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_trim(grid, NULL, SF_BED_AUTO, NULL, &report), SF_ERR_ARGUMENT);

@@ -156,7 +156,7 @@ static void failing_calls_change_nothing(void)
     CHECK_EQ(sf_grid_create(&lattice, &allocator, &t), SF_OK);
     CHECK_EQ(sf_grid_create(&other, NULL, &tall), SF_OK);
     CHECK_EQ(sf_slice_set(sf_grid_slice(d, 0), 3, 3, 1), SF_OK);
-    sf_rule rule = sf_rule_box3(), unknown = {(sf_rule_kind)4, 0, 0, 0, NULL};
+    sf_rule rule = sf_rule_box3(), unknown = {.kind = (sf_rule_kind)9};
     sf_box box = {0, 0, 0, 20, 10, 5}, wide = {0, 0, 0, 21, 10, 5}, none = {5, 5, 2, 5, 9, 3};
     sf_box changed = {9, 9, 9, 9, 9, 9};
     CHECK_EQ(sf_grid_trim_box(NULL, t, &rule, 0, box, &changed), SF_ERR_ARGUMENT);
