@@ -116,11 +116,18 @@ static void octagon(uint64_t reach_below, uint64_t reach_above, sf_element *elem
     }
 }
 
-// All that a step under slack can reach: its ellipse, and the 5x5 without corners.
+// A reach in whole voxels, rounded up, as an ellipse takes its radius.
+static uint64_t whole_q16(uint64_t reach_q24)
+{
+    return (reach_q24 + SFI_REACH_ONE - 1) >> 24 << 16;
+}
+
+// All that a step under slack can reach: the ellipse of its reach, rounded up, for a chain to keep
+// up with the reach along each axis; and the 5x5 without corners.
 static sf_status slack_element(uint64_t x_q24, uint64_t y_q24, sf_element *element)
 {
     static const uint16_t around[3] = {2, 2, 1};
-    SF_TRY(sf_element_ellipse((x_q24 + 255) >> 8, (y_q24 + 255) >> 8, element));
+    SF_TRY(sf_element_ellipse(whole_q16(x_q24), whole_q16(y_q24), element));
     for (uint16_t dy = 0; dy < 3; dy++) {
         if (dy > element->reach_y) {
             element->half_width[dy] = 0;

@@ -11,10 +11,11 @@
 // cone, and the cap on top of it once. s is monotone in the shape, so trimming by it is exact in
 // one sweep. The rule does not depend on where layer 0 lies but for the rounding of rho.
 //
-// N(v) must reach as far as a step does along each axis, or a steep angle could not be reached; and
-// with 3x3 alone the steps make an octagon of the cone, 8 % short between axis and diagonal. So N
-// is the ellipse of the step and the 5x5 without its corners, whose knight moves leave 3 %. The cap
-// is the longest distance in any N, for a step to be possible after however long a wall.
+// N(v) must reach as far as a step does along each axis, and to the next whole voxel, or a steep
+// angle could not be reached; and with 3x3 alone the steps make an octagon of the cone, 8 % short
+// between axis and diagonal. So N is the ellipse of the step and the 5x5 without its corners, whose
+// knight moves leave 3 % (on oblong pixels up to 8 %). The cap is the longest distance in any N,
+// for a step to be possible after however long a wall.
 //
 // Numbers: a unit is such that the cap is at most 254 and a voxel's code, 1 + s, fits a byte.
 // Distances are rounded up to units; reaches are rounded as sums, floor(P_{k+1}) - floor(P_k), so

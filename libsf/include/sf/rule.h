@@ -129,7 +129,8 @@ SF_API size_t sf_rule_table_count(const sf_lattice *lattice);
  * not square. Box3 ignores the angle. Slack is the rule to take where pixels are not square or
  * where the angle must be met in every direction: no chain of any length reaches beyond the asked
  * angle but for its cap, which is the longest single step, and in the long run it reaches the asked
- * angle to within three percent of its tangent. It costs a byte for each voxel of two layers.
+ * angle to within three percent of its tangent (eight where pixels are oblong). It costs a byte for
+ * each voxel of two layers.
  *
  * @param kind       which rule
  * @param angle_rad  SF_RULE_ANGLE_MIN_RAD to SF_RULE_ANGLE_MAX_RAD (5 to 85 degrees, each bound
