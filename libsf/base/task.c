@@ -46,6 +46,37 @@ void sfi_progress_report(sfi_progress *progress, uint64_t done, uint64_t total)
     }
 }
 
+// Report from + fraction * (to - from) of the whole, and pass a cancel on.
+static void report_part(void *user, double fraction)
+{
+    sfi_part *part = user;
+    double done = part->from + fraction * (part->to - part->from);
+    if (sf_task_is_cancelled(part->whole->task)) {
+        sf_task_cancel(&part->task);
+    }
+    sfi_progress_report(part->whole, (uint64_t)(done * 1e6), 1000000);
+}
+
+static void run_part(void *user, size_t count, sf_task_body body, void *context)
+{
+    const sfi_part *part = user;
+    sfi_task_for(part->whole->task, count, body, context);
+}
+
+void sfi_part_begin(sfi_part *part, sfi_progress *whole, double from, double to)
+{
+    part->task = sf_task_default();
+    part->task.progress = report_part;
+    part->task.parallel_for = run_part;
+    part->task.user = part;
+    part->whole = whole;
+    part->from = from;
+    part->to = to;
+    if (sf_task_is_cancelled(whole->task)) {
+        sf_task_cancel(&part->task);
+    }
+}
+
 void sfi_task_for(sf_task *task, size_t count, sf_task_body body, void *context)
 {
     if (task != NULL && task->parallel_for != NULL && count > 1) {

@@ -18,6 +18,17 @@ sfi_progress sfi_progress_begin(sf_task *task);
 // Report `done` of `total`. Cheap enough for every slice.
 void sfi_progress_report(sfi_progress *progress, uint64_t done, uint64_t total);
 
+// A call within a call: its task reports to a stretch of the whole's progress, uses the host's
+// threads, and is cancelled when the whole is, at its next report. Hand &part.task on; part must
+// stay where it is while that call runs.
+typedef struct sfi_part {
+    sf_task task;
+    sfi_progress *whole;
+    double from, to;
+} sfi_part;
+
+void sfi_part_begin(sfi_part *part, sfi_progress *whole, double from, double to);
+
 // body(context, i) for each i below count, on the host's threads if it brings any.
 void sfi_task_for(sf_task *task, size_t count, sf_task_body body, void *context);
 

@@ -6,6 +6,7 @@
 #include "limits.h"
 #include "scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -33,9 +34,9 @@ static void pass(void *user)
     limit_pass(((trim_work *)user)->grid);
 }
 
-static void measure(const char *job, sf_grid *shape, double goal)
+static void measure(const char *job, sf_grid *shape, sf_rule rule, double goal)
 {
-    trim_work w = {shape, NULL, sf_rule_box3()};
+    trim_work w = {shape, NULL, rule};
     uint32_t n = sf_grid_lattice(shape).nx;
     char size[32];
     bench_must(sf_grid_clone(shape, NULL, &w.grid));
@@ -52,10 +53,22 @@ void bench_trim(void)
     static const double goals[3] = {0, 1.6, 1.5};
     for (int i = 0; i < 3; i++) {
         if (bench_wants("trim blob")) {
-            measure("trim blob", scene_balls(sizes[i]), goals[i]);
+            measure("trim blob", scene_balls(sizes[i]), sf_rule_box3(), goals[i]);
         }
         if (bench_wants("trim noise")) {
-            measure("trim noise", scene_noise(sizes[i]), goals[i]);
+            measure("trim noise", scene_noise(sizes[i]), sf_rule_box3(), goals[i]);
         }
+    }
+    if (bench_wants("trim slack")) {
+        sf_grid *shape = scene_balls(512);
+        sf_lattice lattice = sf_grid_lattice(shape);
+        sf_rule rule;
+        bench_must(sf_rule_make(SF_RULE_SLACK, atan(1.0), &lattice, NULL, &rule, NULL));
+        measure("trim slack", shape, rule, 0);
+    }
+    if (bench_wants("trim bridges")) {
+        sf_rule rule = sf_rule_box3();
+        rule.bridge = (sf_bridge){20, 20, 14, 3, 3, 2};
+        measure("trim bridges", scene_balls(512), rule, 0);
     }
 }

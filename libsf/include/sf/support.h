@@ -314,6 +314,39 @@ SF_API SF_CHECKED sf_status sf_grid_check(const sf_grid *grid, const sf_check_op
                                           const sf_allocator *allocator, sf_task *task,
                                           sf_check_report *report, size_t *finding_count);
 
+/** How steep the overhangs of a shape are. */
+typedef struct sf_steepest {
+    double angle_rad; /**< from the vertical: the least angle that it is support-free for; or, where
+                           is_bounded is 0, the largest that was tried */
+    int is_bounded; /**< 0: it is not support-free for any angle: there is an island, or an overhang
+                         beyond 85 degrees */
+    uint32_t layer; /**< the lowest layer that a slightly smaller angle does not carry, or that none
+                         does; SF_BED_AUTO when even 5 degrees carry everything */
+    sf_box box;     /**< box of the finding there; all zero when there is none */
+} sf_steepest;
+
+/**
+ * The steepest overhang that a shape has: the least angle for which the rule slack finds nothing.
+ *
+ * To a tenth of a degree, between 5 and 85. An overhang over a height H may be said flatter than it
+ * is by the rule's cap, about two voxels, over H in its tangent.
+ *
+ * @param grid       the shape
+ * @param bed_layer  layer that rests on the bed, or SF_BED_AUTO
+ * @param allocator  for working memory: that of a check, and a rule's table; NULL for the C
+ * library's
+ * @param task       NULL, or progress; a cancel is honoured at every slice
+ * @param steepest   the result
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a bed layer that the grid has not;
+ * SF_ERR_UNSUPPORTED: not even at 5 degrees can the lattice be served; SF_ERR_MEMORY;
+ * SF_ERR_CANCELLED.
+ * @cost about eleven checks under slack.   @threads any; the grid is only read.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_steepest(const sf_grid *grid, uint32_t bed_layer,
+                                             const sf_allocator *allocator, sf_task *task,
+                                             sf_steepest *steepest);
+
 // ---------------------------------------------------------------------------------------------
 // Trim
 // ---------------------------------------------------------------------------------------------

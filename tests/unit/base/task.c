@@ -33,6 +33,49 @@ static void progress_never_falls(void)
     CHECK_NEAR(seen[3], 1.0, 0.0);
 }
 
+static sf_task *whole_task;
+
+static void remember_and_cancel(void *user, double fraction)
+{
+    remember(user, fraction);
+    if (fraction > 0.45) {
+        sf_task_cancel(whole_task);
+    }
+}
+
+static void count_index(void *context, size_t index)
+{
+    ((int *)context)[index]++;
+}
+
+// A part reports to its stretch of the whole, uses its threads and is cancelled with it.
+static void parts_belong_to_the_whole(void)
+{
+    sf_task task = sf_task_default();
+    int counts[5] = {0, 0, 0, 0, 0};
+    sfi_part part;
+    whole_task = &task;
+    task.progress = remember_and_cancel;
+    seen_count = 0;
+    sfi_progress whole = sfi_progress_begin(&task);
+    sfi_part_begin(&part, &whole, 0.25, 0.75);
+    sfi_progress inner = sfi_progress_begin(&part.task);
+    sfi_progress_report(&inner, 0, 2);
+    CHECK(!sf_task_is_cancelled(&part.task));
+    sfi_progress_report(&inner, 1, 2);
+    CHECK(!sf_task_is_cancelled(&part.task)); // cancelled in this very report
+    sfi_progress_report(&inner, 2, 2);
+    CHECK(sf_task_is_cancelled(&part.task));
+    CHECK_EQ(seen_count, 3);
+    CHECK_NEAR(seen[0], 0.25, 1e-6);
+    CHECK_NEAR(seen[1], 0.5, 1e-6);
+    CHECK_NEAR(seen[2], 0.75, 1e-6);
+    sfi_task_for(&part.task, 5, count_index, counts);
+    CHECK(counts[0] == 1 && counts[4] == 1);
+    sfi_part_begin(&part, &whole, 0.75, 1.0);
+    CHECK(sf_task_is_cancelled(&part.task));
+}
+
 static void cancel_sticks(void)
 {
     sf_task task = sf_task_default();
@@ -75,6 +118,7 @@ static void every_index_runs_once(void)
 int main(void)
 {
     TEST(progress_never_falls);
+    TEST(parts_belong_to_the_whole);
     TEST(cancel_sticks);
     TEST(every_index_runs_once);
     return test_finish();
