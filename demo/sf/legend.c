@@ -21,6 +21,14 @@ double legend_round_length(double most_mm)
     return unit * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
 }
 
+// Large enough to be read where the picture is shown at half its size, and no wider than it.
+static int text_size(const canvas *c)
+{
+    int by_height = (int)c->height / 34, by_width = (int)c->width / 38;
+    int size = by_height < 11 ? 11 : by_height;
+    return size < by_width ? size : by_width;
+}
+
 static void draw_bar(canvas *c, int left, int middle, int length, int size)
 {
     int thick = size / 10 < 1 ? 1 : size / 10, end = size / 3;
@@ -42,7 +50,7 @@ static int draw_swatch(canvas *c, int left, int middle, int size, const double r
 double legend_draw(canvas *picture, double pixel_mm, int with_lost, const double kept[3],
                    const double lost[3])
 {
-    int strip = (int)legend_height(picture->height), size = strip * 3 / 10;
+    int strip = (int)legend_height(picture->height), size = text_size(picture);
     int middle = (int)picture->height - strip / 2, margin = strip / 2;
     double bar_mm = legend_round_length(0.25 * picture->width * pixel_mm);
     int length = (int)(bar_mm / pixel_mm + 0.5);

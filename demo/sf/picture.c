@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A picture of a shape: what prints, what does not, and how large it is.
 //
-// Four rays a pixel, each marched to the first voxel, shaded by its smoothed normal, darkened in
-// cracks, and marched once more towards the light for a shadow. Seen from above, the shape stands
-// on a bed with lines at round distances; seen from below there is no bed, because it would hide
-// what one wants to see. Bands of rows are drawn side by side; no pixel depends on another.
+// Nine rays a pixel, each marched to the first voxel, shaded by its smoothed normal, darkened in
+// cracks, and marched once more for a shadow, each towards another point of a round lamp, which
+// makes the rims of shadows soft. Seen from above, the shape stands on a bed with lines at round
+// distances; seen from below there is no bed, because it would hide what one wants to see. Bands of
+// rows are drawn side by side; no pixel depends on another.
 
 #include "picture.h"
 
@@ -16,7 +17,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { SUBPIXELS = 2, BAND = 8 };
+enum { SUBPIXELS = 3, BAND = 8 };
+#define LAMP 0.045 // radius of the lamp over its distance
 
 static const double kept_colour[3] = {0.80, 0.84, 0.88};
 static const double lost_colour[3] = {0.93, 0.33, 0.16};
@@ -27,8 +29,9 @@ typedef struct view {
     volume volume;
     const sf_grid *kept;
     camera camera;
-    double light[3]; // unit vector towards the light
-    double bed_mm;   // height of the bed; drawn where has_bed
+    double light[3];                       // unit vector towards the middle of the lamp
+    double lamp[SUBPIXELS * SUBPIXELS][3]; // and towards one of its points for each ray
+    double bed_mm;                         // height of the bed; drawn where has_bed
     double bed_low[2], bed_high[2];
     double line_mm; // distance of the lines on the bed
     int has_bed;
@@ -46,26 +49,37 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static int in_shadow(const view *w, const double at[3])
+static int in_shadow(const view *w, const double at[3], int ray)
 {
     hit blocked;
-    return volume_march(&w->volume, at, w->light, &blocked);
+    return volume_march(&w->volume, at, w->lamp[ray], &blocked);
 }
 
-static void shade_matter(const view *w, const double start[3], hit *h, double rgb[3])
+// Rays of one row meet the same voxels again and again; `last` is the one met last.
+static void look_around(const view *w, hit *h, hit *last)
+{
+    if (last->openness < 0 || h->x != last->x || h->y != last->y || h->z != last->z) {
+        *last = *h;
+        volume_look_around(&w->volume, last);
+    }
+    memcpy(h->normal, last->normal, sizeof h->normal);
+    h->openness = last->openness;
+}
+
+static void shade_matter(const view *w, const double start[3], int ray, const hit *h, double rgb[3])
 {
     double at[3], step = 2.5 * w->volume.lattice.pitch_x_mm;
-    volume_look_around(&w->volume, h);
     for (int i = 0; i < 3; i++) {
         at[i] = start[i] + h->t * w->camera.forward[i] + step * h->normal[i];
     }
     int lost = !sf_slice_get(sf_grid_slice(w->kept, h->z), h->x, h->y);
     double facing = dot(h->normal, w->light);
-    double direct = facing > 0 && !in_shadow(w, at) ? facing : 0;
-    double ambient = 0.38 + 0.12 * h->normal[2];
+    double direct = facing > 0 && !in_shadow(w, at, ray) ? facing : 0;
+    // Who looks from below wants to see undersides.
+    double ambient = 0.48 + (w->has_bed ? 0.1 : -0.08) * h->normal[2];
     double open = fmin(1, 0.35 + 1.3 * h->openness);
     for (int i = 0; i < 3; i++) {
-        rgb[i] = (lost ? lost_colour : kept_colour)[i] * (ambient * open + 0.62 * direct);
+        rgb[i] = (lost ? lost_colour : kept_colour)[i] * (ambient * open + 0.52 * direct);
     }
 }
 
@@ -75,7 +89,7 @@ static int near_line(double along, double line_mm, double half_mm)
 }
 
 // The bed, where the ray meets it before it meets nothing.
-static int shade_bed(const view *w, const double start[3], double rgb[3])
+static int shade_bed(const view *w, const double start[3], int ray, double rgb[3])
 {
     double t = (w->bed_mm - start[2]) / w->camera.forward[2], at[3];
     for (int i = 0; i < 3; i++) {
@@ -87,21 +101,22 @@ static int shade_bed(const view *w, const double start[3], double rgb[3])
     }
     double half = 0.7 * w->camera.pixel_mm;
     int line = near_line(at[0], w->line_mm, half) || near_line(at[1], w->line_mm, half);
-    double shadow = in_shadow(w, at) ? 0.78 : 1;
+    double shadow = in_shadow(w, at, ray) ? 0.8 : 1;
     for (int i = 0; i < 3; i++) {
         rgb[i] = shadow * (line ? line_colour : bed_colour)[i];
     }
     return 1;
 }
 
-static void shade(const view *w, double x, double y, double rgb[3])
+static void shade(const view *w, double x, double y, int ray, hit *last, double rgb[3])
 {
     double start[3];
     hit h;
     camera_start(&w->camera, x, y, start);
     if (volume_march(&w->volume, start, w->camera.forward, &h)) {
-        shade_matter(w, start, &h, rgb);
-    } else if (!w->has_bed || !shade_bed(w, start, rgb)) {
+        look_around(w, &h, last);
+        shade_matter(w, start, ray, &h, rgb);
+    } else if (!w->has_bed || !shade_bed(w, start, ray, rgb)) {
         rgb[0] = rgb[1] = rgb[2] = 1;
     }
 }
@@ -110,12 +125,13 @@ static void shade(const view *w, double x, double y, double rgb[3])
 // Pixels
 // ---------------------------------------------------------------------------------------------
 
-static void draw_pixel(const view *w, uint32_t column, uint32_t row)
+static void draw_pixel(const view *w, uint32_t column, uint32_t row, hit *last)
 {
     double sum[3] = {0, 0, 0}, rgb[3];
     for (int i = 0; i < SUBPIXELS * SUBPIXELS; i++) {
         double dx = (i % SUBPIXELS + 0.5) / SUBPIXELS, dy = (i / SUBPIXELS + 0.5) / SUBPIXELS;
-        shade(w, column + dx - 0.5 * w->picture->width, 0.5 * w->view_height - row - dy, rgb);
+        shade(w, column + dx - 0.5 * w->picture->width, 0.5 * w->view_height - row - dy, i, last,
+              rgb);
         for (int c = 0; c < 3; c++) {
             sum[c] += fmin(rgb[c], 1);
         }
@@ -129,9 +145,10 @@ static void draw_pixel(const view *w, uint32_t column, uint32_t row)
 static void draw_row(void *context, size_t index)
 {
     const view *w = context;
+    hit last = {.openness = -1};
     uint32_t row = w->first_row + (uint32_t)index;
     for (uint32_t column = 0; column < w->picture->width; column++) {
-        draw_pixel(w, column, row);
+        draw_pixel(w, column, row, &last);
     }
 }
 
@@ -172,7 +189,7 @@ static void corners(const sf_lattice *l, const sf_box *b, double low[3], double 
     high[2] = sf_lattice_layer_bottom(l, b->z1);
 }
 
-static void lay_bed(view *w, double low[3], double high[3])
+static void lay_bed(view *w, const sf_box *bounds, double low[3], double high[3])
 {
     double margin = 0.08 * fmax(high[0] - low[0], high[1] - low[1]);
     w->bed_mm = low[2];
@@ -183,19 +200,37 @@ static void lay_bed(view *w, double low[3], double high[3])
         w->bed_low[i] = low[i];
         w->bed_high[i] = high[i];
     }
+    if (w->has_bed) {
+        w->volume.mirror = bounds->z0;
+    }
     w->line_mm = legend_round_length(fmax(high[0] - low[0], high[1] - low[1]) / 8);
 }
 
+static void normalize(double v[3])
+{
+    double length = sqrt(dot(v, v));
+    for (int i = 0; i < 3; i++) {
+        v[i] /= length;
+    }
+}
+
+// The lamp's points lie on a spiral that fills a disk evenly (each a golden angle further), and go
+// to the rays of a pixel in an order that puts neighbours far apart.
 static void set_light(view *w)
 {
-    double length = 0;
+    enum { COUNT = SUBPIXELS * SUBPIXELS };
     for (int i = 0; i < 3; i++) {
         w->light[i] =
             -0.5 * w->camera.right[i] + 0.62 * w->camera.up[i] - 0.6 * w->camera.forward[i];
-        length += w->light[i] * w->light[i];
     }
-    for (int i = 0; i < 3; i++) {
-        w->light[i] /= sqrt(length);
+    normalize(w->light);
+    for (int k = 0; k < COUNT; k++) {
+        double radius = LAMP * sqrt((k + 0.5) / COUNT), turn = 2.39996322972865332 * k;
+        for (int i = 0; i < 3; i++) {
+            w->lamp[4 * k % COUNT][i] = w->light[i] + radius * cos(turn) * w->camera.right[i] +
+                                        radius * sin(turn) * w->camera.up[i];
+        }
+        normalize(w->lamp[4 * k % COUNT]);
     }
 }
 
@@ -205,7 +240,7 @@ static void set_up(view *w, const cli_options *asked, const sf_grid *framed)
     double low[3], high[3];
     corners(&w->volume.lattice, &bounds, low, high);
     w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, 1, 1);
-    lay_bed(w, low, high);
+    lay_bed(w, &bounds, low, high);
     w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, w->picture->width,
                             w->view_height);
     set_light(w);
