@@ -13,7 +13,7 @@ typedef struct volume {
     double *floors_mm; // bottom of each layer, and the top of the last
     uint8_t *blocks;   // whether any voxel of a block of 8 x 8 x 8 is solid
     uint32_t block_nx, block_ny, block_nz;
-    int64_t mirror;    // normals see a mirror under this layer; INT64_MIN: nothing
+    int64_t mirror; // normals see a mirror under this layer; INT64_MIN: nothing
 } volume;
 
 // Where a ray met matter.

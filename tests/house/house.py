@@ -54,7 +54,8 @@ def files(*endings, rooms=ROOMS):
 SOURCES = files(".c", ".h")
 TEXTS = [p for p in files(".c", ".h", ".sh", ".py", ".awk", ".in", ".txt", ".md", "meson.build")
          ] + [n for n in ["meson.build", "meson_options.txt", "dev", ".ci/run", "README.md",
-                          "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff"]
+                          "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff",
+                          "docs/pictures/make.sh"]
               if os.path.exists(os.path.join(SOURCE, n))]
 HEADERS = [p for p in SOURCES if p.startswith("libsf/include/sf/")]
 
@@ -329,10 +330,29 @@ def check_version():
     return [f"{place} says {v}, meson says {VERSION}" for place, v in said.items() if v != VERSION]
 
 
+def check_readme():
+    """What the README names is there: files, folders, every verb; its pictures are light."""
+    text = re.sub(r"^```.*?^```", "", read("README.md"), flags=re.M | re.S)
+    named = re.findall(r"\]\((?!https?:)([^)]+)\)", text)
+    named += [w for w in re.findall(r"`([\w./-]+)`", text) if "/" in w.strip("./")]
+    bad = [f"README.md names {n}, which is not there" for n in named
+           if not os.path.exists(os.path.join(SOURCE, n))]
+    bad += [f"{n} is larger than 150 kB" for n in named if n.endswith(".png")
+            and os.path.exists(os.path.join(SOURCE, n)) and os.path.getsize(os.path.join(SOURCE, n)) > 150000]
+    bad += [f"README.md names libsf/{r}, which is not there" for r in re.findall(
+        r"`(\w+)`", re.search(r"^\| `libsf` \|.*room:(.*)$", text, re.M).group(1))
+        if not os.path.isdir(os.path.join(SOURCE, "libsf", r))]
+    verbs = re.findall(r'^    \{\{"(\w+)", "([^"]+)"', read("demo/sf/main.c"), re.M)
+    said = re.findall(r"^\| `(\w+)` \| (.*) \|$", text[:text.index("## Where")], re.M)
+    if said != verbs:
+        bad.append(f"README.md says {said}, demo/sf/main.c {verbs}")
+    return bad
+
+
 def main():
     checks = [check_exports, check_libc, check_doc_comments, check_codes, check_files,
               check_functions, check_heads, check_guards, check_looks, check_names, check_language,
-              check_format, check_floors, check_lists, check_version]
+              check_format, check_floors, check_lists, check_version, check_readme]
     failures = 0
     for number, check in enumerate(checks, 1):
         bad = check()

@@ -1,10 +1,11 @@
 # Why: a library that builds but cannot be used from outside is of no use. Installs into an empty
 # folder, moves everything (so that nothing can be found where it was made for) and builds
 # consumer.c there: by pkg-config and by CMake, with the shared and with the static libraries.
-# usage: install.sh MESON BUILD VERSION COMPILER...
+# The example in the README is built the same way and run: one that does not work is worse than none.
+# usage: install.sh MESON BUILD VERSION SF COMPILER...; SF: the command line program, or empty
 set -u
-meson=$1 build=$2 version=$3
-shift 3
+meson=$1 build=$2 version=$3 sf=$4
+shift 4
 compiler=$*
 source=$(cd "$(dirname "$0")" && pwd)
 here=$(mktemp -d) || exit 99
@@ -52,6 +53,24 @@ by_pkg_config() {
             $(pkg-config $flags --cflags --libs libsf-io libsf) || exit 1
         [ $1 = static ] || export LD_LIBRARY_PATH="$PWD" DYLD_LIBRARY_PATH="$PWD"
         "$here/$1/consumer"
+    ) >"$here/log" 2>&1
+}
+
+# The README's example, on a mesh of the garden of which not all prints at 45 degrees.
+readme_example() {
+    sed -n '/^```c$/,/^```$/p' "$source/../../README.md" | sed '/^```/d' >"$here/example.c"
+    (
+        cd "$here" && export PKG_CONFIG_PATH="$here/whole/$libdir/pkgconfig:${PKG_CONFIG_PATH:-}"
+        export LD_LIBRARY_PATH="$here/whole/$libdir" DYLD_LIBRARY_PATH="$here/whole/$libdir"
+        # shellcheck disable=SC2046
+        $compiler -std=c99 -Wall -Wextra -pedantic -Werror example.c -o example \
+            $(pkg-config --cflags --libs libsf-io libsf) || exit 1
+        ./example 2>refusal && exit 1
+        grep 'part.stl' refusal || exit 1
+        [ -n "$sf" ] || exit 0
+        "$sf" trim scene:garden --angle 75 --resolution 96 -o part.stl -q || exit 1
+        ./example | tee answer
+        grep -Eq '^[1-9][0-9]+ voxels print, [1-9][0-9]+ do not$' answer
     ) >"$here/log" 2>&1
 }
 
@@ -103,6 +122,12 @@ for kind in shared static; do
         skip "CMake, $kind" "cmake is not installed"
     fi
 done
+if command -v pkg-config >/dev/null && can shared; then
+    readme_example
+    ok $? "the example in the README"
+else
+    skip "the example in the README" "no pkg-config, or no shared library"
+fi
 if command -v cmake >/dev/null && command -v make >/dev/null; then
     cmake_refuses 99.0 && cmake_refuses 0.0.9 && cmake_refuses "$version.1"
     ok $? "CMake refuses versions that are not installed"
