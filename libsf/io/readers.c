@@ -131,6 +131,27 @@ static sf_mesh_format sniff(sfi_cursor *cursor)
     return SF_MESH_FORMAT_AUTO;
 }
 
+// Formats that people have and this library does not read. Anything may stand in a binary STL's
+// header, so a file that calls itself one is not looked at.
+static const char *foreign(sfi_cursor *cursor)
+{
+    static const char *const known[][2] = {
+        {"PK\003\004",
+         "this is a 3MF or another zip archive; save the part as STL, OBJ, PLY or OFF"},
+        {"glTF", "this is glTF; save the part as STL, OBJ, PLY or OFF"},
+        {"ISO-10303-21", "this is STEP, which has no triangles; export the part as STL or OBJ"},
+        {"\211PNG", "this is a picture; a stack of pictures is named by its folder"},
+    };
+    size_t have;
+    const unsigned char *bytes = sfi_cursor_peek(cursor, SFI_CURSOR_PEEK, &have);
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (starts_with(bytes, have, known[i][0])) {
+            return known[i][1];
+        }
+    }
+    return NULL;
+}
+
 static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
 {
     switch (format) {
@@ -146,13 +167,20 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
         break;
     }
     return sfi_cursor_fault(reader->cursor, reader->fault,
-                            "this is no STL, OBJ, PLY or OFF file; name the format or convert it");
+                            "this is no STL, OBJ, PLY or OFF file; save the part as one of these");
 }
 
 static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
 {
     sfi_cursor_skip_mark(reader->cursor);
-    SF_TRY(read_as(reader, format == SF_MESH_FORMAT_AUTO ? sniff(reader->cursor) : format));
+    if (format == SF_MESH_FORMAT_AUTO) {
+        const char *why = foreign(reader->cursor);
+        if (why != NULL) {
+            return sfi_cursor_fault(reader->cursor, reader->fault, why);
+        }
+        format = sniff(reader->cursor);
+    }
+    SF_TRY(read_as(reader, format));
     if (reader->cursor->failure != SF_OK) {
         return sfi_cursor_fault(reader->cursor, reader->fault, "");
     }

@@ -110,6 +110,7 @@ static sf_status read_text(sfi_mesh_reader *reader)
 static sf_status read_binary(sfi_mesh_reader *reader)
 {
     unsigned char header[HEADER_BYTES + 4], facet[FACET_BYTES];
+    reader->cursor->line = 0; // there are no lines: faults name a byte
     if (sfi_cursor_read(reader->cursor, header, sizeof header) < sizeof header) {
         return sfi_cursor_fault(reader->cursor, reader->fault,
                                 "the file is too short for an STL file; it is cut short or no STL");

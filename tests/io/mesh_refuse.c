@@ -73,6 +73,30 @@ static void refuses_broken_text(void)
 #define PLY_FACE "element face 1\nproperty list uchar int vertex_index\nend_header\n"
 #define PLY_XYZ "0 0 0\n1 0 0\n0 1 0\n"
 
+// A newcomer's first file is often one that cannot be read: the sentence says what it is.
+static void names_foreign_formats(void)
+{
+    CHECK(refused("PK\3\4\n\0\0\0\b", 9, SF_MESH_FORMAT_AUTO, NULL, SF_ERR_FORMAT, "3MF", 0));
+    CHECK(refused("glTF\2\0\0\0", 8, SF_MESH_FORMAT_AUTO, NULL, SF_ERR_FORMAT, "glTF", 0));
+    CHECK(refused("\211PNG\r\n", 6, SF_MESH_FORMAT_AUTO, NULL, SF_ERR_FORMAT, "picture", 0));
+    CHECK(text_refused("ISO-10303-21;\nHEADER;\n", SF_MESH_FORMAT_AUTO, "STEP", 0));
+}
+
+// Binary STL has no lines, so what is wrong lies at a byte.
+static void names_the_byte_of_binary_stl(void)
+{
+    unsigned char bytes[84 + 50] = {0};
+    sf_mesh *mesh = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    bytes[80] = 1;
+    memset(bytes + 84 + 12, 0xff, 4); // not a number
+    CHECK_EQ(read_bytes(bytes, sizeof bytes, SF_MESH_FORMAT_STL, NULL, NULL, &mesh, &fault),
+             SF_ERR_FORMAT);
+    CHECK_EQ(fault.line, 0);
+    CHECK(fault.offset >= 84);
+    CHECK(mesh == NULL);
+}
+
 static void refuses_broken_ply(void)
 {
     CHECK(text_refused(PLY_HEAD PLY_VERTEX PLY_FACE PLY_XYZ "3 0 1 3\n", SF_MESH_FORMAT_AUTO,
@@ -315,6 +339,8 @@ static void refuses_wrong_arguments(void)
 int main(void)
 {
     TEST(refuses_broken_text);
+    TEST(names_foreign_formats);
+    TEST(names_the_byte_of_binary_stl);
     TEST(refuses_broken_ply);
     TEST(refuses_endless_tokens);
     TEST(passes_a_failing_source_on);
