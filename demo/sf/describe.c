@@ -17,6 +17,13 @@ double describe_volume(const sf_grid *grid)
     return volume * lattice.pitch_x_mm * lattice.pitch_y_mm;
 }
 
+const char *describe_mm3(double volume_mm3, char text[DESCRIBE_MM3_SIZE])
+{
+    const char *form = volume_mm3 >= 1000 && volume_mm3 < 1e15 ? "%.0f mm3" : "%.4g mm3";
+    snprintf(text, DESCRIBE_MM3_SIZE, form, volume_mm3);
+    return text;
+}
+
 static void report_lattice(report *r, const sf_lattice *lattice)
 {
     double pitch[2] = {lattice->pitch_x_mm, lattice->pitch_y_mm};

@@ -9,6 +9,11 @@
 // Volume of the solid voxels of a grid in mm3.
 double describe_volume(const sf_grid *grid);
 
+// A volume for people: four digits, all of them where it has more before the point. In `text`,
+// which is returned.
+enum { DESCRIBE_MM3_SIZE = 32 };
+const char *describe_mm3(double volume_mm3, char text[DESCRIBE_MM3_SIZE]);
+
 // Fields: verb, input, lattice, rule, bed layer; and the sentence that opens the text.
 void describe_part(cli_job *job, const part *p, const char *verb);
 

@@ -46,6 +46,9 @@ exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
     } else if (why[0] != '\0' && fault->offset > 0) {
         snprintf(place, sizeof place, ", byte %llu", (unsigned long long)fault->offset);
     }
+    if (strstr(why, subject) != NULL) { // the sentence names it already
+        return job_fail(job, exit_of(status, status_input), "%s", why);
+    }
     return job_fail(job, exit_of(status, status_input), "%s%s: %s", subject, place,
                     why[0] != '\0' ? why : sf_status_message(status));
 }

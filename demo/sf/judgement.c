@@ -133,10 +133,11 @@ static size_t choose_largest(const judgement *j, size_t chosen[FINDINGS_SAID])
 static void say_finding(report *r, const sf_lattice *lattice, const sf_finding *f, double voxel_mm3)
 {
     double low[3], high[3];
+    char volume[DESCRIBE_MM3_SIZE];
     box_corners(lattice, &f->box, low, high);
-    report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %.4g mm3 cannot print",
+    report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %s cannot print",
                kind_name(f->kind), sf_lattice_layer_bottom(lattice, f->layer), low[0], high[0],
-               low[1], high[1], (double)f->volume * voxel_mm3);
+               low[1], high[1], describe_mm3((double)f->volume * voxel_mm3, volume));
 }
 
 void judgement_report(cli_job *job, const part *p, const judgement *j)
@@ -167,8 +168,10 @@ void judgement_report(cli_job *job, const part *p, const judgement *j)
         said += j->findings[chosen[i]].volume;
     }
     if (rest > 0) {
-        report_say(r, "  and %llu smaller ones, %.3g mm3 together (--json lists %s)",
-                   (unsigned long long)rest, (double)(c->trimmed_voxels - said) * voxel_mm3,
+        char together[DESCRIBE_MM3_SIZE];
+        report_say(r, "  and %llu smaller one%s, %s together (--json lists %s)",
+                   (unsigned long long)rest, rest == 1 ? "" : "s",
+                   describe_mm3((double)(c->trimmed_voxels - said) * voxel_mm3, together),
                    c->findings_dropped > 0 ? "65536" : "all");
     }
 }

@@ -393,13 +393,17 @@ void options_help(const cli_verb *verb, FILE *to)
         snprintf(left, sizeof left, "%s--%s%s%s", letter, table[i].name,
                  table[i].argument != NULL ? " " : "",
                  table[i].argument != NULL ? table[i].argument : "");
-        fprintf(to, "  %-29s %s\n", left, table[i].help);
+        fprintf(to, "  %-29s %s\n", left,
+                table[i].bit == OPTION_OUTPUT ? verb->output : table[i].help);
     }
     fprintf(to, "  %-29s %s\n\nexamples:\n%s", "-h, --help", "this text", verb->examples);
     fputs(
-        "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that sf wrote,"
-        "\nor scene:garden, a scene that the program makes itself.\n"
-        "\nexit status: 0 good, 1 the asked property was not reached, 2 usage, 3 bad input,"
-        "\n4 out of memory or disk, 130 cancelled\n",
+        verb->takes & OPTION_RESOLUTION
+            ? "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that sf "
+              "wrote,\nor scene:garden, a scene that the program makes itself.\n"
+            : "\nA FILE is an STL, OBJ, PLY or OFF mesh.\n",
         to);
+    fputs("\nexit status: 0 good, 1 the asked property was not reached, 2 usage, 3 bad input,"
+          "\n4 out of memory or disk, 130 cancelled\n",
+          to);
 }

@@ -66,6 +66,7 @@ typedef struct cli_verb {
     int input_optional;   // whether the argument may be left out
     uint32_t takes;       // OPTION_*
     const char *examples; // whole lines, each ended
+    const char *output;   // what --output names; NULL where the verb writes nothing
 } cli_verb;
 
 // Fill `made` with defaults, then with the command line after the verb. Returns 0, or 1 when help

@@ -57,8 +57,9 @@ static void draw(void *user, double fraction)
     }
     bar[BAR_WIDTH] = '\0';
     fprintf(stderr, "\r\033[K%s [%s] %3d %%", state.phase, bar, (int)(100 * fraction));
-    if (fraction > 0.02 && elapsed > 2) {
-        fprintf(stderr, ", %.0f s left", elapsed * (1 - fraction) / fraction);
+    double left = fraction > 0.02 && elapsed > 2 ? elapsed * (1 - fraction) / fraction : 0;
+    if (left > 0.5) {
+        fprintf(stderr, ", %.0f s left", left);
     }
     fflush(stderr);
     state.last = now;

@@ -34,10 +34,12 @@ exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
     if (done.removed_voxels == 0) {
         report_say(r, "It prints without supports as it is; nothing was taken away.");
     } else {
+        char taken[DESCRIBE_MM3_SIZE], left[DESCRIBE_MM3_SIZE];
         report_say(r,
-                   "Trimming took %.6g mm3 away (%.3g %%) and left %.6g mm3, which print without "
+                   "Trimming took %s away (%.3g %%) and left %s, which print without "
                    "supports.",
-                   before_mm3 - after_mm3, 100 * (before_mm3 - after_mm3) / before_mm3, after_mm3);
+                   describe_mm3(before_mm3 - after_mm3, taken),
+                   100 * (before_mm3 - after_mm3) / before_mm3, describe_mm3(after_mm3, left));
     }
     return EXIT_GOOD;
 }

@@ -31,6 +31,20 @@ static exit_status make_folder(cli_job *job, const char *folder)
                     strerror(errno));
 }
 
+// Said before the work begins, not after it.
+static exit_status check_folder(cli_job *job, const char *folder)
+{
+    struct stat entry;
+    if (output_kind_of(folder) != OUTPUT_STACK) {
+        return job_fail(job, EXIT_USAGE, "-o %s: 'sf run' writes a folder.", folder);
+    }
+    if (stat(folder, &entry) == 0 && !S_ISDIR(entry.st_mode)) {
+        return job_fail(job, EXIT_RESOURCE, "-o %s: there is a file of that name; name a folder.",
+                        folder);
+    }
+    return EXIT_GOOD;
+}
+
 static exit_status join(cli_job *job, const char *name, char path[PATH_SIZE])
 {
     int length = snprintf(path, PATH_SIZE, "%s/%s", job->options.output, name);
@@ -148,10 +162,11 @@ exit_status verb_run(cli_job *job)
     if (job->options.output == NULL) {
         job->options.output = "out";
     }
-    if (output_kind_of(job->options.output) != OUTPUT_STACK) {
-        return job_fail(job, EXIT_USAGE, "-o %s: 'sf run' writes a folder.", job->options.output);
+    exit_status status = check_folder(job, job->options.output);
+    if (status != EXIT_GOOD) {
+        return status;
     }
-    exit_status status = part_read(job, &p);
+    status = part_read(job, &p);
     if (status == EXIT_GOOD) {
         status = run(job, &p);
     }

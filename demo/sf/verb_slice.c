@@ -107,8 +107,10 @@ static exit_status slice(cli_job *job, part *p)
     }
     if (status == EXIT_GOOD) {
         report_layers(job, p, counts);
-        report_say(job->report, "%llu solid voxels, %.6g mm3.",
-                   (unsigned long long)sf_grid_popcount(p->grid), describe_volume(p->grid));
+        char volume[DESCRIBE_MM3_SIZE];
+        report_say(job->report, "%llu solid voxels, %s.",
+                   (unsigned long long)sf_grid_popcount(p->grid),
+                   describe_mm3(describe_volume(p->grid), volume));
         say_where(job);
     }
     free(counts);

@@ -57,6 +57,13 @@ exits 4 slice scene:garden --resolution 20 -o folder/missing/layers
 printf 'mine\n' >folder/precious
 exits 4 slice scene:garden --resolution 20 -o folder
 same "$(cat folder/precious)" mine "a folder that is no stack is left alone"
+exits 4 run scene:garden -o folder/precious
+says_one_line
+exits 3 check missing.stl
+same "$(grep -o missing.stl stderr | wc -l | tr -d ' ')" 1 "a path is said once"
 exits 1 check scene:garden --resolution 40
-exits 0 trim scene:garden --resolution 40 -o t.stl
+exits 0 trim scene:garden --resolution 40 --angle 80 -o t.stl
+exits 0 trim t.stl --size 900 --resolution 40
+grep -Eq 'took [0-9]{5,} mm3 away' stdout
+ok $? "large volumes are written out"
 finish

@@ -10,6 +10,9 @@ for verb in run info check trim slice render; do
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
     ok $? "$verb --help has examples"
+    says=no
+    grep -q 'stack of pictures that sf' stdout && says=yes
+    same $says "$([ $verb = info ] && echo no || echo yes)" "$verb --help says what a FILE is"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
         info* | *--pitch* | "trim layers"*) extra= ;;
