@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Scenes that the program makes itself.
 //
-// A scene is a table of solids in millimetres; a voxel is solid when its centre lies in one of
-// them. The garden has one of each thing that a printer stumbles over: the crown of an arch, a flat
-// underside, an arm that sticks out, a lantern that begins in the air and is joined only further
-// up, a bird that is joined nowhere; and beside them a tree and a leaning post that print as they
-// are.
+// A scene is a table of solids in millimetres; a voxel is solid when its centre lies in one of them
+// and not below 0, where the scene stands. The garden has one of each thing that a printer stumbles
+// over: the crown of an arch, a flat underside, an arm that sticks out, a lantern that begins in
+// the air and is joined only further up, a bird that is joined nowhere; and beside them a tree and
+// a leaning post that print as they are.
 
 #include "scene.h"
 
@@ -145,7 +145,7 @@ static void draw_layer(void *context, size_t index)
         for (uint32_t x = 0; x < l->nx; x++) {
             int inside = 0;
             p[0] = l->origin_mm[0] + (x + 0.5) * l->pitch_x_mm;
-            for (size_t i = 0; i < d->scene->count && !inside; i++) {
+            for (size_t i = 0; i < d->scene->count && !inside && p[2] >= 0; i++) {
                 inside = in_solid(&d->scene->solids[i], p);
             }
             slice.words[(size_t)y * slice.stride + x / 64] |= (uint64_t)inside << (x % 64);

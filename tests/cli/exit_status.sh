@@ -57,6 +57,9 @@ exits 4 slice scene:garden --resolution 20 -o folder/missing/layers
 printf 'mine\n' >folder/precious
 exits 4 slice scene:garden --resolution 20 -o folder
 same "$(cat folder/precious)" mine "a folder that is no stack is left alone"
+exits 1 check scene:garden --resolution 40 --bed -9
+grep -Eq '\b100 % of its matter cannot print' stdout
+ok $? "over a bed that is further down all of it hangs in the air"
 exits 4 run scene:garden -o folder/precious
 says_one_line
 exits 3 check missing.stl
