@@ -135,6 +135,7 @@ int main(int argc, char **argv)
     printf("%-18s %-10s %10s %10s %8s %8s %s\n", "job", "size", "median ms", "limit ms", "ratio",
            "goal", "      rate");
     bench_trim();
+    bench_trim_box();
     bench_morphology();
     bench_meshes();
     bench_sums();
