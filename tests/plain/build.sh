@@ -13,7 +13,7 @@ cc=${CC:-cc}
 flags="-std=c99 ${PLAIN_FLAGS:--O2} -ffp-contract=off -DSF_STATIC -DSF_BUILDING -Ilibsf/include"
 # Doubles in the 80-bit registers of 32-bit x86 would be other bytes than everywhere else.
 case $($cc -dumpmachine 2>/dev/null) in i?86-*) flags="$flags -msse2 -mfpmath=sse" ;; esac
-inside="-Ilibsf -Itests"
+inside="-Ilibsf -Itests -Idemo/scenes"
 
 # One header that is newer than the last build stands for all of them.
 headers=$(find libsf demo tests -name '*.h' -newer "$out/.built" 2>/dev/null | head -n 1)
@@ -35,12 +35,16 @@ library=
 for source in libsf/*/*.c; do
     library="$library$(compile "$source" -Ilibsf)"
 done
+scenes=
+for source in demo/scenes/*.c; do
+    scenes="$scenes$(compile "$source" -Idemo/scenes)"
+done
 program=
-for source in demo/sf/*.c demo/scenes/*.c; do
+for source in demo/sf/*.c; do
     program="$program$(compile "$source" -D_XOPEN_SOURCE=700 -Idemo/scenes)"
 done
 # shellcheck disable=SC2086
-$cc $program $library -lm -lpthread -o "$out/sf"
+$cc $program $scenes $library -lm -lpthread -o "$out/sf"
 
 if [ "$purpose" = bench ]; then
     # shellcheck disable=SC2086
@@ -53,7 +57,7 @@ if [ "$purpose" = test ]; then
         case $source in tests/verify/*) continue ;; esac
         name=test-$(printf '%s' "${source%.c}" | sed 's:^tests/::' | tr / -)
         # shellcheck disable=SC2086
-        $cc $flags $inside "$source" $library -lm -lpthread -o "$out/$name"
+        $cc $flags $inside "$source" $scenes $library -lm -lpthread -o "$out/$name"
     done
 fi
 touch "$out/.built"
