@@ -22,6 +22,7 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
+#include "support/codes.h"
 #include "support/rule.h"
 #include "voxel/slice.h"
 
@@ -99,10 +100,17 @@ static uint8_t *codes_of(sfi_front front, uint32_t y)
     return front.slack + y * sfi_slack_stride(front.alive.width);
 }
 
-// Whether voxel x of a row is solid.
-static inline int is_set(const uint64_t *row, uint32_t x)
+// The codes of one word of voxels: `least` at least where alive, else 0.
+static void raise_codes(uint8_t *codes, uint64_t alive, uint8_t least)
 {
-    return (row[x / 64] >> (x % 64) & 1) != 0;
+    for (unsigned b = 0; b < 64; b += 8) {
+        uint8_t mask[8];
+        sfi_store_bytes(mask, sfi_spread_bits(alive >> b));
+        for (unsigned i = 0; i < 8; i++) {
+            uint8_t code = codes[b + i] > least ? codes[b + i] : least;
+            codes[b + i] = (uint8_t)(code & mask[i]);
+        }
+    }
 }
 
 // Codes of dead or empty voxels become 0, and those of living ones at least `least`.
@@ -110,10 +118,8 @@ static void settle_codes(sfi_front front, uint8_t least)
 {
     for (uint32_t y = 0; front.slack != NULL && y < front.alive.height; y++) {
         const uint64_t *row = sfi_slice_row(front.alive, y);
-        uint8_t *codes = codes_of(front, y);
-        for (uint32_t x = 0; x < front.alive.width; x++) {
-            uint8_t code = codes[x] > least ? codes[x] : least;
-            codes[x] = (uint8_t)(is_set(row, x) ? code : 0);
+        for (size_t i = 0; i < sfi_row_words(front.alive.width); i++) {
+            raise_codes(codes_of(front, y) + i * 64, row[i], least);
         }
     }
 }
@@ -131,26 +137,6 @@ sf_status sfi_carry_anyway(const sfi_carrier *carrier, sf_slice solid, sfi_front
     SF_TRY(sf_slice_copy(front.alive, solid));
     settle_codes(front, 1);
     return SF_OK;
-}
-
-// front.alive = solid where a code is, or where it is exempt.
-static void keep_reached(sf_slice solid, sf_slice exempt, sfi_front front)
-{
-    size_t words = sfi_row_words(solid.width);
-    for (uint32_t y = 0; y < solid.height; y++) {
-        const uint64_t *in = sfi_slice_row(solid, y);
-        const uint64_t *free = exempt.words != NULL ? sfi_slice_row(exempt, y) : NULL;
-        uint64_t *out = sfi_slice_row(front.alive, y);
-        const uint8_t *codes = codes_of(front, y);
-        for (size_t i = 0; i < words; i++) {
-            uint64_t reached = free != NULL ? free[i] : 0;
-            for (unsigned b = 0; b < 64; b++) {
-                reached |= (uint64_t)(codes[i * 64 + b] > 0) << b;
-            }
-            out[i] = in[i] & reached;
-        }
-        out[words - 1] &= sfi_tail_mask(solid.width);
-    }
 }
 
 // Make the solid voxels that are exempt alive.
@@ -174,10 +160,7 @@ static sf_status carry_own(const sfi_carrier *carrier, uint32_t k, const sfi_fro
     sf_element element;
     SF_TRY(sf_rule_element(&carrier->rule, k - 1, &element));
     if (carrier->rule.kind == SF_RULE_SLACK) {
-        sfi_slack_spread(&carrier->rule, k - 1, &element, below->slack, front.slack, solid.width,
-                         solid.height);
-        keep_reached(solid, exempt, front);
-        settle_codes(front, 1);
+        sfi_slack_step(&carrier->rule, k - 1, &element, below, solid, exempt, front);
         return SF_OK;
     }
     SF_TRY(sf_slice_and_dilate(front.alive, solid, below->alive, &element));

@@ -75,9 +75,10 @@ sf_status sfi_carry_anyway(const sfi_carrier *carrier, sf_slice solid, sfi_front
 uint32_t sfi_slack_gain(const sf_rule *rule, uint32_t k);
 uint32_t sfi_slack_cost(const sf_rule *rule, uint32_t dx, uint32_t dy);
 
-// Codes of layer k that `below`'s codes give to every voxel, solid or not, of `out`.
-void sfi_slack_spread(const sf_rule *rule, uint32_t k, const sf_element *element,
-                      const uint8_t *below, uint8_t *out, uint32_t width, uint32_t height);
+// One step under slack from layer k, without bridges: front = what of `solid` is reached from
+// below, whose codes are given, or exempt (or SFI_NO_SLICE). front.alive may be solid.
+void sfi_slack_step(const sf_rule *rule, uint32_t k, const sf_element *element,
+                    const sfi_front *below, sf_slice solid, sf_slice exempt, sfi_front front);
 
 // Whether a rule bridges anything.
 static inline int sfi_bridge_any(const sf_bridge *b)

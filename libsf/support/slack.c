@@ -21,13 +21,18 @@
 // Distances are rounded up to units; reaches are rounded as sums, floor(P_{k+1}) - floor(P_k), so
 // that thousands of steps lose less than one unit. Both err to the safe side.
 //
+// A step is made in blocks of 64 voxels, nearest supporters first, and ends for a block as soon as
+// nobody in it can gain any more; inside a shape that is after the voxel straight below.
+//
 // Freestanding: integers, no memory.
 //
 // Source: chamfer distances of this kind are G. Borgefors, "Distance Transformations in Digital
 // Images", CVGIP 34, 1986; the field itself is the library's own.
 
 #include "support/carry.h"
+#include "support/codes.h"
 #include "support/rule.h"
+#include "voxel/slice.h"
 
 // The least r with r * r >= n; n < 2^62.
 static uint32_t root_up(uint64_t n)
@@ -71,80 +76,179 @@ uint32_t sfi_slack_gain(const sf_rule *rule, uint32_t k)
     return (uint32_t)(to_units(above, units) - to_units(below, units));
 }
 
-// out[x] = max(out[x], the code that in[x] hands on at this cost, which is not below the gain).
-static void spread_dear(uint8_t *restrict out, const uint8_t *restrict in, uint32_t count,
-                        uint8_t loss)
+// ---------------------------------------------------------------------------------------------
+// A step, by blocks of a word
+// ---------------------------------------------------------------------------------------------
+
+#define BLOCK 64
+// No voxel reaches farther: the cap is below 255, and a voxel is at least four units long.
+#define REACH_MAX 63
+
+// One step, with all costs that it can ask for.
+typedef struct step {
+    sf_slice alive;       // below
+    const uint8_t *below; // its codes
+    size_t stride;
+    uint32_t gain, top; // top: the code of the cap
+    sf_element element;
+    uint8_t costs[REACH_MAX + 1][REACH_MAX + 1]; // by dy and dx
+} step;
+
+// codes = max(codes, what `in` hands on where reaching costs more than the gain).
+static void take_dear(uint8_t *restrict codes, const uint8_t *restrict in, uint8_t loss)
 {
-    for (uint32_t x = 0; x < count; x++) {
+    for (uint32_t x = 0; x < BLOCK; x++) {
         uint8_t code = (uint8_t)(in[x] > loss ? in[x] - loss : 0);
-        out[x] = out[x] > code ? out[x] : code;
+        codes[x] = codes[x] > code ? codes[x] : code;
     }
 }
 
-// The same where the gain is more than the cost: dead stays dead, and nobody has more than the cap.
-static void spread_cheap(uint8_t *restrict out, const uint8_t *restrict in, uint32_t count,
-                         uint8_t more, uint8_t top)
+// The same where it costs less: dead stays dead, and nobody has more than the cap.
+static void take_cheap(uint8_t *restrict codes, const uint8_t *restrict in, uint8_t more,
+                       uint8_t top)
 {
-    for (uint32_t x = 0; x < count; x++) {
+    for (uint32_t x = 0; x < BLOCK; x++) {
         uint8_t code = (uint8_t)(in[x] < top - more ? in[x] + more : top);
         code = in[x] > 0 ? code : 0;
-        out[x] = out[x] > code ? out[x] : code;
+        codes[x] = codes[x] > code ? codes[x] : code;
     }
 }
 
-static int is_dead(const uint8_t *codes, uint32_t count)
+// BLOCK codes of row y from x on, x perhaps below 0 or beyond the row, where nothing is alive.
+static const uint8_t *codes_at(const step *s, uint32_t y, int64_t x, uint8_t room[BLOCK])
 {
-    uint8_t any = 0;
-    for (uint32_t x = 0; x < count; x++) {
-        any |= codes[x];
+    const uint8_t *row = s->below + y * s->stride;
+    if (x >= 0 && x + BLOCK <= (int64_t)s->stride) {
+        return row + x;
     }
-    return any == 0;
+    for (int64_t i = 0; i < BLOCK; i++) {
+        room[i] = x + i >= 0 && x + i < (int64_t)s->alive.width ? row[x + i] : 0;
+    }
+    return room;
 }
 
-// One row of codes below, dy rows away, into a row of codes.
-static void spread_row(const sf_rule *rule, uint32_t gain, uint32_t dy, uint32_t reach,
-                       const uint8_t *in, uint8_t *out, uint32_t width)
+static void take(const step *s, uint32_t y, int64_t x, uint32_t cost, uint8_t *codes)
 {
-    uint32_t top = rule->slack_cap + 1u;
-    for (uint32_t dx = 0; dx <= reach && dx < width; dx++) {
-        uint32_t cost = sfi_slack_cost(rule, dx, dy), count = width - dx;
-        if (cost >= gain && cost - gain > rule->slack_cap) {
-            break;
-        }
-        for (int side = 0; side < (dx > 0 ? 2 : 1); side++) {
-            uint8_t *to = side == 0 ? out : out + dx;
-            const uint8_t *from = side == 0 ? in + dx : in;
-            if (cost >= gain) {
-                spread_dear(to, from, count, (uint8_t)(cost - gain));
-            } else {
-                uint32_t more = gain - cost < top ? gain - cost : top;
-                spread_cheap(to, from, count, (uint8_t)more, (uint8_t)top);
-            }
-        }
+    uint8_t room[BLOCK];
+    const uint8_t *in = codes_at(s, y, x, room);
+    if (cost >= s->gain) {
+        take_dear(codes, in, (uint8_t)(cost - s->gain));
+    } else {
+        uint32_t more = s->gain - cost < s->top ? s->gain - cost : s->top;
+        take_cheap(codes, in, (uint8_t)more, (uint8_t)s->top);
     }
 }
 
-void sfi_slack_spread(const sf_rule *rule, uint32_t k, const sf_element *element,
-                      const uint8_t *below, uint8_t *out, uint32_t width, uint32_t height)
+// The least code among those that are wanted, of which there is one.
+static uint32_t least_code(const uint8_t *codes, const uint8_t *wanted)
 {
-    size_t stride = sfi_slack_stride(width);
-    uint32_t gain = sfi_slack_gain(rule, k);
-    for (size_t i = 0; i < stride * height; i++) {
-        out[i] = 0;
+    uint8_t least = 255;
+    for (uint32_t x = 0; x < BLOCK; x++) {
+        uint8_t code = codes[x] | wanted[x];
+        least = least < code ? least : code;
     }
-    for (uint32_t y = 0; y < height; y++) {
-        const uint8_t *in = below + y * stride;
-        if (is_dead(in, width)) {
-            continue;
+    return least;
+}
+
+// Whether anything is alive in a row within a word of the block of word i: no voxel reaches
+// farther.
+static int is_near(const uint64_t *row, size_t words, size_t i)
+{
+    return (row[i] | (i > 0 ? row[i - 1] : 0) | (i + 1 < words ? row[i + 1] : 0)) != 0;
+}
+
+// What row `from` hands on to the block at x, dy rows away. As soon as none of the wanted could
+// gain by what is left, which is never more than the cap less what it costs, it is done.
+static void take_row(const step *s, uint32_t x, uint32_t from, uint32_t dy, const uint8_t *wanted,
+                     uint8_t *codes)
+{
+    uint32_t cap = s->top - 1;
+    for (uint32_t dx = 0; dx <= s->element.half_width[dy]; dx++) {
+        uint32_t cost = s->costs[dy][dx], loss = cost > s->gain ? cost - s->gain : 0;
+        if (loss > cap || least_code(codes, wanted) >= s->top - loss) {
+            return; // and farther off it costs more
         }
-        for (uint32_t dy = 0; dy <= element->reach_y; dy++) {
-            uint32_t reach = element->half_width[dy];
-            if (y >= dy) {
-                spread_row(rule, gain, dy, reach, in, out + (y - dy) * stride, width);
-            }
-            if (dy > 0 && height - y > dy) {
-                spread_row(rule, gain, dy, reach, in, out + (y + dy) * stride, width);
-            }
+        take(s, from, (int64_t)x + dx, cost, codes);
+        if (dx > 0) {
+            take(s, from, (int64_t)x - dx, cost, codes);
+        }
+    }
+}
+
+// Codes of the block of word i of row y. wanted is 0 where a code is asked for, else 255.
+static void take_around(const step *s, size_t i, uint32_t y, const uint8_t *wanted, uint8_t *codes)
+{
+    uint32_t x = (uint32_t)i * BLOCK;
+    size_t words = sfi_row_words(s->alive.width);
+    for (uint32_t dy = 0; dy <= s->element.reach_y; dy++) {
+        if (y >= dy && is_near(sfi_slice_row(s->alive, y - dy), words, i)) {
+            take_row(s, x, y - dy, dy, wanted, codes);
+        }
+        if (dy > 0 && s->alive.height - y > dy &&
+            is_near(sfi_slice_row(s->alive, y + dy), words, i)) {
+            take_row(s, x, y + dy, dy, wanted, codes);
+        }
+    }
+}
+
+static void begin_step(step *s, const sf_rule *rule, uint32_t k, const sfi_front *below,
+                       const sf_element *element)
+{
+    s->alive = below->alive;
+    s->below = below->slack;
+    s->stride = sfi_slack_stride(below->alive.width);
+    s->gain = sfi_slack_gain(rule, k);
+    s->top = rule->slack_cap + 1u;
+    s->element = *element;
+    for (uint32_t dy = 0; dy <= element->reach_y && dy <= REACH_MAX; dy++) {
+        for (uint32_t dx = 0; dx <= element->half_width[dy] && dx <= REACH_MAX; dx++) {
+            uint32_t cost = sfi_slack_cost(rule, dx, dy);
+            s->costs[dy][dx] = (uint8_t)(cost < 255 ? cost : 255);
+        }
+    }
+}
+
+// The word of living voxels of the block of word i of row y, and their codes. An exempt voxel has a
+// code of 1 at least, and that of a voxel that is not wanted becomes 0.
+static uint64_t block_front(const step *s, uint32_t y, size_t i, uint64_t solid, uint64_t exempt,
+                            uint8_t *codes)
+{
+    uint8_t wanted[BLOCK];
+    uint64_t alive = 0;
+    if (solid == 0) {
+        for (unsigned b = 0; b < BLOCK; b++) {
+            codes[b] = 0;
+        }
+        return 0;
+    }
+    for (unsigned b = 0; b < BLOCK; b += 8) {
+        sfi_store_bytes(wanted + b, ~sfi_spread_bits(solid >> b));
+        sfi_store_bytes(codes + b, sfi_spread_bits(exempt >> b) & UINT64_C(0x0101010101010101));
+    }
+    take_around(s, i, y, wanted, codes);
+    for (unsigned b = 0; b < BLOCK; b += 8) {
+        uint64_t eight = sfi_load_bytes(codes + b) & ~sfi_load_bytes(wanted + b);
+        sfi_store_bytes(codes + b, eight);
+        alive |= sfi_gather_bytes(eight) << b;
+    }
+    return alive;
+}
+
+void sfi_slack_step(const sf_rule *rule, uint32_t k, const sf_element *element,
+                    const sfi_front *below, sf_slice solid, sf_slice exempt, sfi_front front)
+{
+    size_t words = sfi_row_words(solid.width);
+    uint64_t tail = sfi_tail_mask(solid.width);
+    step s;
+    begin_step(&s, rule, k, below, element);
+    for (uint32_t y = 0; y < solid.height; y++) {
+        const uint64_t *in = sfi_slice_row(solid, y);
+        const uint64_t *free = exempt.words != NULL ? sfi_slice_row(exempt, y) : NULL;
+        uint64_t *out = sfi_slice_row(front.alive, y);
+        uint8_t *codes = front.slack + y * s.stride;
+        for (size_t i = 0; i < words; i++) {
+            uint64_t here = i + 1 < words ? in[i] : in[i] & tail;
+            out[i] = block_front(&s, y, i, here, free != NULL ? free[i] : 0, codes + i * BLOCK);
         }
     }
 }
