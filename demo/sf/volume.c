@@ -24,14 +24,26 @@ enum { BLOCK = 8, REACH = 6 };
 // Making ready
 // ---------------------------------------------------------------------------------------------
 
+// Words of a row, and one of them, in which whatever stands past the width reads as empty.
+static size_t row_words(sf_slice slice)
+{
+    return ((size_t)slice.width + 63) / 64;
+}
+
+static uint64_t row_word(sf_slice slice, uint32_t y, size_t i)
+{
+    uint64_t word = slice.words[(size_t)y * slice.stride + i];
+    unsigned past = i + 1 == row_words(slice) ? (64 - slice.width % 64) % 64 : 0;
+    return word << past >> past;
+}
+
 static void mark_blocks(volume *v, uint32_t k)
 {
     sf_slice slice = sf_grid_slice(v->grid, k);
-    size_t words = ((size_t)slice.width + 63) / 64;
     for (uint32_t y = 0; y < slice.height; y++) {
         uint8_t *blocks = v->blocks + ((size_t)(k / BLOCK) * v->block_ny + y / BLOCK) * v->block_nx;
-        for (size_t w = 0; w < words; w++) {
-            uint64_t word = slice.words[(size_t)y * slice.stride + w];
+        for (size_t w = 0; w < row_words(slice); w++) {
+            uint64_t word = row_word(slice, y, w);
             for (uint32_t byte = 0; word != 0; byte++, word >>= 8) {
                 if ((word & 255) != 0) {
                     blocks[8 * w + byte] = 1;
@@ -215,11 +227,13 @@ static uint64_t window(const volume *v, int64_t x, int64_t y, int64_t z)
         return 0;
     }
     sf_slice slice = sf_grid_slice(v->grid, (uint32_t)z);
-    const uint64_t *row = slice.words + (size_t)y * slice.stride;
-    int64_t words = ((int64_t)slice.width + 63) / 64, at = x / 64, shift = x % 64;
-    uint64_t before = at > 0 ? row[at - 1] : 0, after = at + 1 < words ? row[at + 1] : 0;
-    uint64_t bits = shift < REACH ? row[at] << (REACH - shift) | before >> (64 - REACH + shift)
-                                  : row[at] >> (shift - REACH);
+    size_t at = (size_t)x / 64;
+    uint32_t row = (uint32_t)y;
+    int64_t shift = x % 64;
+    uint64_t here = row_word(slice, row, at), before = at > 0 ? row_word(slice, row, at - 1) : 0;
+    uint64_t after = at + 1 < row_words(slice) ? row_word(slice, row, at + 1) : 0;
+    uint64_t bits = shift < REACH ? here << (REACH - shift) | before >> (64 - REACH + shift)
+                                  : here >> (shift - REACH);
     if (shift + REACH > 63) {
         bits |= after << (64 - shift + REACH);
     }

@@ -27,6 +27,7 @@
 #include "mesh/mesh.h"
 #include "mesh/smooth.h"
 #include "simd/kernels.h"
+#include "voxel/slice.h"
 
 #include <string.h>
 
@@ -102,12 +103,12 @@ static void add_vertex_row(walk *w, uint32_t y, uint32_t k)
     const uint64_t *rows[4] = {row_at(w, (int64_t)y - 1, (int64_t)k - 1),
                                row_at(w, y, (int64_t)k - 1), row_at(w, (int64_t)y - 1, k),
                                row_at(w, y, k)};
-    size_t words = sfi_row_words(w->lattice.nx), count = sfi_row_words(w->lattice.nx + 1);
+    size_t count = sfi_row_words(w->lattice.nx + 1);
     uint64_t carry[4] = {0, 0, 0, 0};
     for (size_t i = 0; i < count; i++) {
         uint64_t right[4], left[4], any = 0, all = ~UINT64_C(0);
         for (int r = 0; r < 4; r++) {
-            right[r] = i < words ? rows[r][i] : 0;
+            right[r] = sfi_row_word(rows[r], i, w->lattice.nx);
             left[r] = right[r] << 1 | carry[r];
             carry[r] = right[r] >> 63;
             any |= right[r] | left[r];
@@ -261,7 +262,7 @@ static void add_faces_row(walk *w, uint32_t y, uint32_t k)
     const uint64_t *over = row_at(w, y, (int64_t)k + 1);
     size_t words = sfi_row_words(w->lattice.nx);
     for (size_t i = 0; i < words; i++) {
-        uint64_t word = row[i];
+        uint64_t word = sfi_row_word(row, i, w->lattice.nx);
         uint64_t left = word << 1 | (i > 0 ? row[i - 1] >> 63 : 0);
         uint64_t right = word >> 1 | (i + 1 < words ? row[i + 1] << 63 : 0);
         const uint64_t solid[6] = {left, right, front[i], back[i], under[i], over[i]};

@@ -75,6 +75,15 @@ sf_status sf_grid_create(const sf_lattice *lattice, const sf_allocator *allocato
     return SF_OK;
 }
 
+// A row and its padding, which need not be zero in the grid but is in the copy.
+static void copy_row(uint64_t *to, const uint64_t *from, const sf_grid *grid)
+{
+    size_t words = sfi_row_words(grid->lattice.nx);
+    memcpy(to, from, words * sizeof *to);
+    to[words - 1] &= sfi_tail_mask(grid->lattice.nx);
+    memset(to + words, 0, (grid->stride - words) * sizeof *to);
+}
+
 sf_status sf_grid_clone(const sf_grid *grid, const sf_allocator *allocator, sf_grid **clone)
 {
     if (grid == NULL || clone == NULL) {
@@ -82,7 +91,10 @@ sf_status sf_grid_clone(const sf_grid *grid, const sf_allocator *allocator, sf_g
     }
     sf_grid *copy;
     SF_TRY(create(&grid->lattice, allocator, &copy));
-    memcpy(copy->words, grid->words, grid->total_words * sizeof *grid->words);
+    size_t rows = grid->total_words / grid->stride;
+    for (size_t r = 0; r < rows; r++) {
+        copy_row(copy->words + r * grid->stride, grid->words + r * grid->stride, grid);
+    }
     *clone = copy;
     return SF_OK;
 }

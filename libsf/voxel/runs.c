@@ -11,12 +11,6 @@
 #include "simd/kernels.h"
 #include "voxel/slice.h"
 
-// Word i of a row of `width` voxels, padding cleared.
-static uint64_t row_word(const uint64_t *row, size_t i, size_t count, uint32_t width)
-{
-    return i + 1 < count ? row[i] : row[i] & sfi_tail_mask(width);
-}
-
 sf_status sf_slice_run_count(sf_slice slice, size_t *count)
 {
     const sfi_kernels *kernels = sfi_kernels_get();
@@ -30,7 +24,7 @@ sf_status sf_slice_run_count(sf_slice slice, size_t *count)
         const uint64_t *row = sfi_slice_row(slice, y);
         uint64_t before = 0;
         for (size_t i = 0; i < words; i++) {
-            uint64_t word = row_word(row, i, words, slice.width);
+            uint64_t word = sfi_row_word(row, i, slice.width);
             uint64_t begin = word & ~(word << 1 | before);
             before = word >> 63;
             begins += begin == 0 ? 0 : kernels->popcount(&begin, 1);
@@ -49,7 +43,7 @@ static size_t row_runs(const uint64_t *row, uint32_t width, uint32_t y, sf_run *
     size_t words = sfi_row_words(width), count = 0;
     uint64_t before = 0;
     for (size_t i = 0; i < words; i++) {
-        uint64_t word = row_word(row, i, words, width), borders = word ^ (word << 1 | before);
+        uint64_t word = sfi_row_word(row, i, width), borders = word ^ (word << 1 | before);
         before = word >> 63;
         for (; borders != 0; borders &= borders - 1) {
             uint32_t bit = sfi_lowest_bit(borders), x = (uint32_t)(64 * i) + bit;

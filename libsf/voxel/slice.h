@@ -13,6 +13,13 @@ static inline uint64_t *sfi_slice_row(sf_slice slice, uint32_t y)
     return slice.words + (size_t)y * slice.stride;
 }
 
+// Word i of a row of `width` voxels: whatever stands past the width reads as empty.
+static inline uint64_t sfi_row_word(const uint64_t *row, size_t i, uint32_t width)
+{
+    size_t last = sfi_row_words(width) - 1;
+    return i < last ? row[i] : i == last ? row[i] & sfi_tail_mask(width) : 0;
+}
+
 // SF_OK, or SF_ERR_ARGUMENT for a slice that is no slice.
 sf_status sfi_slice_validate(sf_slice slice);
 
