@@ -103,6 +103,18 @@ headers=$(cd "$here/whole/include/sf" && echo *.h)
 [ "$headers" = "$(cd "$source/../../libsf/include/sf" && echo *.h)" ]
 ok $? "the public headers are installed, and no other: $headers"
 
+# A program must not find a library whose interface may be another: before 1.0, any other minor.
+case $version in
+0.*) interface=${version%.*} ;;
+*) interface=${version%%.*} ;;
+esac
+if [ -e "$here/whole/$libdir/libsf.so" ]; then
+    (cd "$here/whole/$libdir" && ls libsf.so.$interface libsf-io.so.$interface) >"$here/log" 2>&1
+    ok $? "programs ask for libsf.so.$interface"
+else
+    skip "programs ask for libsf.so.$interface" "this build has no libsf.so"
+fi
+
 for kind in shared static; do
     if ! can $kind; then
         skip "pkg-config, $kind" "this build has no $kind library"
