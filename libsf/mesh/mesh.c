@@ -12,6 +12,11 @@
 #include <math.h>
 #include <string.h>
 
+// Most vertices and triangles that there is a way to address.
+static const size_t vertices_max =
+    SIZE_MAX / 3 / sizeof(double) < UINT32_MAX ? SIZE_MAX / 3 / sizeof(double) : UINT32_MAX;
+static const size_t triangles_max = SIZE_MAX / 3 / sizeof(uint32_t);
+
 struct sf_mesh {
     sf_allocator allocator;
     double *vertices; // three a vertex
@@ -84,7 +89,7 @@ sf_status sf_mesh_add_vertices(sf_mesh *mesh, const double *xyz, size_t count)
     if (mesh == NULL || (xyz == NULL && count > 0)) {
         return SF_ERR_ARGUMENT;
     }
-    if (count > UINT32_MAX - mesh->vertex_count) {
+    if (count > vertices_max - mesh->vertex_count) {
         return SF_ERR_OVERFLOW;
     }
     for (size_t i = 0; i < 3 * count; i++) {
@@ -110,7 +115,7 @@ sf_status sf_mesh_add_triangles(sf_mesh *mesh, const uint32_t *indices, size_t c
     if (mesh == NULL || (indices == NULL && count > 0)) {
         return SF_ERR_ARGUMENT;
     }
-    if (count > SIZE_MAX / 3 / sizeof(uint32_t) - mesh->triangle_count) {
+    if (count > triangles_max - mesh->triangle_count) {
         return SF_ERR_OVERFLOW;
     }
     for (size_t i = 0; i < 3 * count; i++) {
@@ -133,8 +138,14 @@ sf_status sf_mesh_add_triangles(sf_mesh *mesh, const uint32_t *indices, size_t c
 
 sf_status sf_mesh_validate(sf_mesh_view mesh, sf_fault *fault)
 {
+    if (mesh.vertex_count > vertices_max || mesh.triangle_count > triangles_max) {
+        return sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
+                             "the mesh has %zu vertices and %zu triangles, more than can be "
+                             "numbered or addressed; split it",
+                             mesh.vertex_count, mesh.triangle_count);
+    }
     if ((mesh.vertices == NULL && mesh.vertex_count > 0) ||
-        (mesh.triangles == NULL && mesh.triangle_count > 0) || mesh.vertex_count > UINT32_MAX) {
+        (mesh.triangles == NULL && mesh.triangle_count > 0)) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "the mesh has counts but no arrays");
     }
     for (size_t i = 0; i < 3 * mesh.vertex_count; i++) {

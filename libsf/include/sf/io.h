@@ -102,7 +102,7 @@ SF_API SF_CHECKED sf_status sf_mesh_read(sf_source source, sf_mesh_format format
  * @param mesh    the mesh; what sf_mesh_validate() takes
  * @param format  SF_MESH_FORMAT_STL, _OBJ or _PLY
  * @param sink    where the bytes go; on failure it may have had some
- * @return SF_OK; SF_ERR_ARGUMENT: no sink, no format, or a mesh that is not valid;
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
  * SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF; SF_ERR_OVERFLOW: for STL, a coordinate beyond the range
  * of floats or more than UINT32_MAX triangles; or what the sink returned.
  * @cost one pass to check, one to write; 4 KiB of stack, no memory.   @threads any, on distinct

@@ -92,7 +92,8 @@ SF_API SF_CHECKED sf_status sf_mesh_add_triangles(sf_mesh *mesh, const uint32_t 
  *
  * @param mesh   the view
  * @param fault  NULL, or receives a sentence that names the first vertex or triangle at fault
- * @return SF_OK; SF_ERR_ARGUMENT: it is no mesh.
+ * @return SF_OK; SF_ERR_ARGUMENT: it is no mesh; SF_ERR_OVERFLOW: more than UINT32_MAX vertices, or
+ * more vertices or triangles than the machine can address.
  * @cost linear.   @threads any.
  * @since 0.1
  */
@@ -128,8 +129,8 @@ SF_API SF_CHECKED sf_status sf_mesh_transform(sf_mesh *mesh, const sf_transform 
  * @param mesh       the mesh to copy
  * @param allocator  for the copy and for scratch; NULL for the C library's
  * @param merged     receives the copy
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, what sf_mesh_validate() refuses; SF_ERR_OVERFLOW:
- * more vertices than the machine can address twice; SF_ERR_MEMORY.
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW: more
+ * vertices than the machine can address twice; SF_ERR_MEMORY.
  * @cost linear, but for collisions in a hash table.   @threads any.
  * @since 0.1
  */
@@ -142,8 +143,8 @@ SF_API SF_CHECKED sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator 
  * @param mesh        the mesh
  * @param minimum_mm  receives the lower corner
  * @param maximum_mm  receives the upper corner
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what
- * sf_mesh_validate() refuses.
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
+ * triangles.
  * @cost linear.   @threads any.
  * @since 0.1
  */
@@ -177,8 +178,8 @@ typedef struct sf_topology {
  * @param mesh       the mesh; its triangles are at most INT32_MAX
  * @param allocator  for scratch, about 125 bytes a triangle; NULL for the C library's
  * @param topology   receives the counts
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what sf_mesh_validate()
- * refuses; SF_ERR_OVERFLOW: too many triangles; SF_ERR_MEMORY.
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
+ * triangles; SF_ERR_OVERFLOW: too many triangles; SF_ERR_MEMORY.
  * @cost nearly linear in vertices and triangles.   @threads any.
  * @since 0.1
  */
@@ -202,8 +203,8 @@ typedef struct sf_mass {
  *
  * @param mesh  the mesh
  * @param mass  receives the integrals
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a mesh without triangles, what sf_mesh_validate()
- * refuses.
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
+ * triangles.
  * @cost two passes over the triangles, in their order: the same bytes on every machine.
  * @threads any.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
