@@ -65,9 +65,34 @@ static double lowest_layer(const sf_lattice *lattice)
     return lowest;
 }
 
+// The scratch of a call.
+typedef struct scratch {
+    double *homes, *sums;
+    uint32_t *counts;
+} scratch;
+
+static sf_status make_passes(double *vertices, size_t vertex_count, const uint32_t *triangles,
+                             size_t triangle_count, const double leash_mm[3],
+                             const sfi_smoothing *how, const scratch *s)
+{
+    uint64_t done = how->before;
+    for (int pass = 0; pass < how->passes; pass++) {
+        if (sf_task_is_cancelled(how->progress->task)) {
+            return SF_ERR_CANCELLED;
+        }
+        step(vertices, vertex_count, triangles, triangle_count, s->homes, leash_mm, STEP_IN,
+             s->sums, s->counts);
+        step(vertices, vertex_count, triangles, triangle_count, s->homes, leash_mm, STEP_OUT,
+             s->sums, s->counts);
+        done += how->piece;
+        sfi_progress_report(how->progress, done, how->total);
+    }
+    return SF_OK;
+}
+
 sf_status sfi_mesh_smooth(double *vertices, size_t vertex_count, const uint32_t *triangles,
-                          size_t triangle_count, const sf_lattice *lattice, int passes,
-                          const sf_allocator *allocator)
+                          size_t triangle_count, const sf_lattice *lattice,
+                          const sfi_smoothing *how, const sf_allocator *allocator)
 {
     const double leash_mm[3] = {LEASH_VX * lattice->pitch_x_mm, LEASH_VX * lattice->pitch_y_mm,
                                 LEASH_VX * lowest_layer(lattice)};
@@ -75,21 +100,17 @@ sf_status sfi_mesh_smooth(double *vertices, size_t vertex_count, const uint32_t 
     if (vertex_count == 0) {
         return SF_OK;
     }
-    double *homes = sfi_alloc_array(allocator, vertex_count, size);
-    double *sums = sfi_alloc_array(allocator, vertex_count, size);
-    uint32_t *counts = sfi_alloc_array(allocator, vertex_count, sizeof *counts);
-    sf_status status = homes == NULL || sums == NULL || counts == NULL ? SF_ERR_MEMORY : SF_OK;
-    if (status == SF_OK) {
-        memcpy(homes, vertices, vertex_count * size);
-        for (int pass = 0; pass < passes; pass++) {
-            step(vertices, vertex_count, triangles, triangle_count, homes, leash_mm, STEP_IN, sums,
-                 counts);
-            step(vertices, vertex_count, triangles, triangle_count, homes, leash_mm, STEP_OUT, sums,
-                 counts);
-        }
+    scratch s;
+    s.homes = sfi_alloc_array(allocator, vertex_count, size);
+    s.sums = sfi_alloc_array(allocator, vertex_count, size);
+    s.counts = sfi_alloc_array(allocator, vertex_count, sizeof *s.counts);
+    sf_status status = SF_ERR_MEMORY;
+    if (s.homes != NULL && s.sums != NULL && s.counts != NULL) {
+        memcpy(s.homes, vertices, vertex_count * size);
+        status = make_passes(vertices, vertex_count, triangles, triangle_count, leash_mm, how, &s);
     }
-    sfi_free_array(allocator, homes, vertex_count, size);
-    sfi_free_array(allocator, sums, vertex_count, size);
-    sfi_free_array(allocator, counts, vertex_count, sizeof *counts);
+    sfi_free_array(allocator, s.homes, vertex_count, size);
+    sfi_free_array(allocator, s.sums, vertex_count, size);
+    sfi_free_array(allocator, s.counts, vertex_count, sizeof *s.counts);
     return status;
 }

@@ -287,14 +287,14 @@ static void add_faces_row(walk *w, uint32_t y, uint32_t k)
 // Walks
 // ---------------------------------------------------------------------------------------------
 
-// Walk the grid once; half of the progress.
-static sf_status walk_grid(walk *w, sf_task *task, sfi_progress *progress, uint64_t before)
+// Walk the grid once. Work is counted in layers: nz for each walk, as much for a smoothing pass.
+static sf_status walk_grid(walk *w, sfi_progress *progress, uint64_t before, uint64_t total)
 {
     uint32_t nz = w->lattice.nz;
     w->vertex_count = w->triangle_count = 0;
     add_vertex_layer(w, 0);
     for (uint32_t k = 0; k < nz; k++) {
-        if (sf_task_is_cancelled(task)) {
+        if (sf_task_is_cancelled(progress->task)) {
             return SF_ERR_CANCELLED;
         }
         vertex_layer swap = w->below;
@@ -304,23 +304,23 @@ static sf_status walk_grid(walk *w, sf_task *task, sfi_progress *progress, uint6
         for (uint32_t y = 0; y < w->lattice.ny; y++) {
             add_faces_row(w, y, k);
         }
-        sfi_progress_report(progress, before + k + 1, 2 * (uint64_t)nz);
+        sfi_progress_report(progress, before + k + 1, total);
     }
     return SF_OK;
 }
 
 // Count, make the mesh, write.
-static sf_status walk_twice(walk *w, const sf_allocator *allocator, sf_task *task, sf_mesh **mesh)
+static sf_status walk_twice(walk *w, const sf_allocator *allocator, sfi_progress *progress,
+                            uint64_t total, sf_mesh **mesh)
 {
-    sfi_progress progress = sfi_progress_begin(task);
     sf_mesh *made = NULL;
-    SF_TRY(walk_grid(w, task, &progress, 0));
+    SF_TRY(walk_grid(w, progress, 0, total));
     if (w->vertex_count > UINT32_MAX || w->triangle_count > SIZE_MAX / 3 / sizeof(uint32_t)) {
         return SF_ERR_OVERFLOW;
     }
     SF_TRY(sfi_mesh_make(allocator, (size_t)w->vertex_count, (size_t)w->triangle_count, &made,
                          &w->vertices, &w->triangles));
-    sf_status status = walk_grid(w, task, &progress, w->lattice.nz);
+    sf_status status = walk_grid(w, progress, w->lattice.nz, total);
     if (status != SF_OK) {
         sf_mesh_destroy(made);
         return status;
@@ -346,6 +346,8 @@ static sf_status make_surface(const sf_grid *grid, int passes, const sf_allocato
     if (!sfi_size_mul((size_t)w.lattice.nx + 1, (size_t)w.lattice.ny + 1, &w.layer_vertices)) {
         return SF_ERR_OVERFLOW;
     }
+    sfi_progress progress = sfi_progress_begin(task);
+    uint64_t nz = w.lattice.nz, total = (2 + (uint64_t)passes) * nz;
     sfi_fans_make(&w.fans);
     uint32_t *first = sfi_alloc_array(allocator, w.layer_vertices, 2 * sizeof *first);
     uint8_t *around = sfi_alloc_array(allocator, w.layer_vertices, 2);
@@ -355,13 +357,14 @@ static sf_status make_surface(const sf_grid *grid, int passes, const sf_allocato
         vertex_layer above = {first + w.layer_vertices, around + w.layer_vertices};
         w.below = below;
         w.above = above;
-        status = walk_twice(&w, allocator, task, &made);
+        status = walk_twice(&w, allocator, &progress, total, &made);
     }
     sfi_free_array(allocator, first, w.layer_vertices, 2 * sizeof *first);
     sfi_free_array(allocator, around, w.layer_vertices, 2);
     if (status == SF_OK && passes > 0) {
+        sfi_smoothing how = {passes, &progress, 2 * nz, nz, total};
         status = sfi_mesh_smooth(w.vertices, (size_t)w.vertex_count, w.triangles,
-                                 (size_t)w.triangle_count, &w.lattice, passes, allocator);
+                                 (size_t)w.triangle_count, &w.lattice, &how, allocator);
     }
     if (status != SF_OK) {
         sf_mesh_destroy(made);
@@ -376,7 +379,8 @@ sf_status sf_grid_surface(const sf_grid *grid, const sf_surface_options *options
 {
     if (grid == NULL || mesh == NULL ||
         (options != NULL &&
-         (options->struct_size < sizeof(sf_surface_options) || options->smooth_passes < 0))) {
+         (options->struct_size < sizeof(sf_surface_options) || options->smooth_passes < 0 ||
+          options->smooth_passes > SF_SMOOTH_PASSES_MAX))) {
         return SF_ERR_ARGUMENT;
     }
     sf_allocator from = sfi_allocator_or_default(allocator);

@@ -129,8 +129,8 @@ SF_API SF_CHECKED sf_status sf_mesh_transform(sf_mesh *mesh, const sf_transform 
  * @param mesh       the mesh to copy
  * @param allocator  for the copy and for scratch; NULL for the C library's
  * @param merged     receives the copy
- * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW: more
- * vertices than the machine can address twice; SF_ERR_MEMORY.
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW:
+ * more vertices than the machine can address twice; SF_ERR_MEMORY.
  * @cost linear, but for collisions in a hash table.   @threads any.
  * @since 0.1
  */
@@ -365,10 +365,14 @@ SF_API SF_CHECKED sf_status sf_grid_voxelize(sf_grid *grid, sf_mesh_view mesh,
 // A mesh out of voxels
 // ---------------------------------------------------------------------------------------------
 
+/** Most passes of smoothing; the surface has long settled by then. */
+#define SF_SMOOTH_PASSES_MAX 1000
+
 /** How the surface of a grid is made. Fill with sf_surface_options_default(). */
 typedef struct sf_surface_options {
     size_t struct_size; /**< sizeof(sf_surface_options), set by the default */
-    int smooth_passes;  /**< 0 (default): the exact voxel faces; else passes of smoothing */
+    int smooth_passes;  /**< 0 (default): the exact voxel faces; else passes of smoothing,
+                           at most SF_SMOOTH_PASSES_MAX */
 } sf_surface_options;
 
 /**
@@ -396,11 +400,12 @@ SF_API sf_surface_options sf_surface_options_default(void);
  * @param options    NULL for the default
  * @param allocator  for the mesh and for scratch, 10 bytes for each column of voxels and, with
  *                   smoothing, 52 for each vertex; NULL for the C library's
- * @param task       NULL, or progress and cancel, which is heeded at every slice
+ * @param task       NULL, or progress and cancel, which is heeded at every slice and every
+ *                   smoothing pass
  * @param mesh       receives the mesh
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a negative
- * number of passes; SF_ERR_OVERFLOW: more than UINT32_MAX vertices, or more triangles than the
- * machine can address; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a number
+ * of passes outside its range; SF_ERR_OVERFLOW: more than UINT32_MAX vertices, or more triangles
+ * than the machine can address; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost two passes over the grid and the boundary; two over the triangles for each smoothing pass.
  * @threads any; the grid is only read.
  * @source for smoothing G. Taubin, "A Signal Processing Approach to Fair Surface Design", SIGGRAPH

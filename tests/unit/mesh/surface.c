@@ -11,6 +11,8 @@
 
 #include <sf/mesh.h>
 
+#include <limits.h>
+
 static sf_grid *make_grid(uint32_t nx, uint32_t ny, uint32_t nz, const double *heights)
 {
     sf_lattice lattice = {nx, ny, nz, 0.3, 0.7, 0.45, heights, {-3.7, 11.1, 0.9}};
@@ -229,6 +231,60 @@ static void memory_runs_out_anywhere(void)
     sf_grid_destroy(grid);
 }
 
+// A host that watches, and cancels once the fraction has reached `stop_at`.
+typedef struct host {
+    sf_task task;
+    double last, stop_at;
+    int calls, falls;
+} host;
+
+static void watch(void *user, double fraction)
+{
+    host *h = user;
+    h->calls++;
+    h->falls += fraction < h->last;
+    h->last = fraction;
+    if (fraction >= h->stop_at) {
+        sf_task_cancel(&h->task);
+    }
+}
+
+static sf_status watched(const sf_grid *grid, int passes, double stop_at, host *h)
+{
+    sf_surface_options options = sf_surface_options_default();
+    sf_mesh *mesh = NULL;
+    memset(h, 0, sizeof *h);
+    h->task = sf_task_default();
+    h->task.progress = watch;
+    h->task.user = h;
+    h->stop_at = stop_at;
+    options.smooth_passes = passes;
+    sf_status status = sf_grid_surface(grid, &options, NULL, &h->task, &mesh);
+    CHECK_EQ(status == SF_OK, mesh != NULL);
+    CHECK_EQ(h->falls, 0);
+    sf_mesh_destroy(mesh);
+    return status;
+}
+
+// Of two walks and six passes, each an eighth of the work.
+static void smoothing_heeds_its_task(void)
+{
+    sf_grid *grid = make_grid(9, 9, 4, NULL);
+    host h;
+    set(grid, 3, 3, 1);
+    CHECK_EQ(watched(grid, 6, 2, &h), SF_OK);
+    CHECK_EQ(h.calls, 2 * 4 + 6);
+    CHECK_NEAR(h.last, 1, 0);
+    CHECK_EQ(watched(grid, 6, 0.5, &h), SF_ERR_CANCELLED);
+    CHECK_NEAR(h.last, 0.5, 0);
+    CHECK_EQ(watched(grid, 0, 0.5, &h), SF_ERR_CANCELLED);
+    CHECK_EQ(watched(grid, SF_SMOOTH_PASSES_MAX, 2, &h), SF_OK);
+    CHECK_EQ(watched(grid, SF_SMOOTH_PASSES_MAX + 1, 2, &h), SF_ERR_ARGUMENT);
+    CHECK_EQ(watched(grid, INT_MAX, 2, &h), SF_ERR_ARGUMENT);
+    CHECK_EQ(watched(grid, -1, 2, &h), SF_ERR_ARGUMENT);
+    sf_grid_destroy(grid);
+}
+
 int main(void)
 {
     TEST(fans_are_cycles);
@@ -238,6 +294,7 @@ int main(void)
     TEST(a_box_is_a_box);
     TEST(nothing_has_no_surface);
     TEST(smoothing_keeps_it_closed);
+    TEST(smoothing_heeds_its_task);
     TEST(memory_runs_out_anywhere);
     return test_finish();
 }
