@@ -62,6 +62,14 @@ static const struct {
 
 static const char *const fills[] = {"auto", "parity", "winding", "surface"};
 
+static const double degree = 3.14159265358979323846 / 180;
+
+double options_angle_deg(const cli_options *options)
+{
+    double exact = options->angle_rad / degree, rounded = floor(exact * 1e9 + 0.5) / 1e9;
+    return fabs(rounded - exact) < 1e-12 ? rounded : exact;
+}
+
 // A list of `least` to `most` numbers parted by commas; returns how many, or 0.
 static int parse_numbers(const char *text, double *numbers, int least, int most)
 {
@@ -214,8 +222,9 @@ static int parse_argument(uint32_t bit, const char *text, cli_options *made)
     case OPTION_BED:
         return parse_numbers(text, &made->bed_mm, 1, 1);
     case OPTION_ANGLE:
-        return parse_numbers(text, &made->angle_deg, 1, 1) && made->angle_deg >= 5 &&
-               made->angle_deg <= 85;
+        good = parse_numbers(text, &number, 1, 1) == 1 && number >= 5 && number <= 85;
+        made->angle_rad = good ? number * degree : 0;
+        return good;
     case OPTION_RESOLUTION:
         good = parse_count(text, 1, SF_EXTENT_MAX - 2, &number);
         made->resolution = good ? (uint32_t)number : 0;
@@ -238,7 +247,7 @@ static cli_options defaults(void)
     cli_options made;
     memset(&made, 0, sizeof made);
     made.resolution = 256;
-    made.angle_deg = 45;
+    made.angle_rad = 45 * degree;
     made.rule = SF_RULE_OCTAGON;
     made.up = AXIS_Z;
     made.unit_mm = 1;

@@ -40,7 +40,7 @@ typedef struct cli_options {
     const char *output;
     double pitch_mm[3]; // x, y, layer
     uint32_t resolution;
-    double angle_deg;
+    double angle_rad; // of the command line or of a stack; options_angle_deg() shows it
     sf_rule_kind rule;
     double bridge_mm[2]; // span and anchor
     axis up;
@@ -73,6 +73,9 @@ typedef struct cli_verb {
 // was asked for, or -1 with a sentence in `message`.
 int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made, char *message,
                   size_t message_size);
+
+// The angle for people: the round number that it was made from, where there is one.
+double options_angle_deg(const cli_options *options);
 
 // What --help prints for a verb.
 void options_help(const cli_verb *verb, FILE *to);

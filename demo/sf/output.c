@@ -144,7 +144,7 @@ static sf_stack_info stack_info(const cli_job *job, const part *p)
     memset(&info, 0, sizeof info);
     info.has_rule = p->has_rule;
     info.rule = p->rule.kind;
-    info.angle_rad = job->options.angle_deg * (3.14159265358979323846 / 180);
+    info.angle_rad = job->options.angle_rad;
     info.bed_layer = p->bed_layer;
     info.bridge_span_mm = job->options.bridge_mm[0];
     info.bridge_anchor_mm = job->options.bridge_mm[1];

@@ -126,7 +126,7 @@ static exit_status read_stack(cli_job *job, part *p)
         p->bed_layer = info.bed_layer;
         if ((asked->given & (OPTION_RULE | OPTION_ANGLE)) == 0) {
             asked->rule = info.rule;
-            asked->angle_deg = info.angle_rad * (180 / 3.14159265358979323846);
+            asked->angle_rad = info.angle_rad;
         }
         if ((asked->given & OPTION_BRIDGE) == 0) {
             asked->bridge_mm[0] = info.bridge_span_mm;
@@ -258,15 +258,14 @@ exit_status part_make_rule(cli_job *job, part *p)
     sf_lattice lattice = sf_grid_lattice(p->grid);
     sf_fault fault = {SF_OK, 0, 0, ""};
     size_t count = sf_rule_table_count(&lattice);
-    double angle_rad = job->options.angle_deg * (3.14159265358979323846 / 180);
     if (count > 0) {
         p->table = malloc(count * sizeof *p->table);
         if (p->table == NULL) {
             return job_fail(job, EXIT_RESOURCE, "There is no memory for the rule's table.");
         }
     }
-    sf_status status =
-        sf_rule_make(job->options.rule, angle_rad, &lattice, p->table, &p->rule, &fault);
+    sf_status status = sf_rule_make(job->options.rule, job->options.angle_rad, &lattice, p->table,
+                                    &p->rule, &fault);
     if (status != SF_OK) {
         return job_fail_call(job, status, &fault, sf_rule_kind_name(job->options.rule), EXIT_USAGE);
     }
