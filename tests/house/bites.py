@@ -84,6 +84,9 @@ SPOILT = [
     ("says what it does", BASE, HEADER.replace("@return", "@param no  none\n * @return")),
     ("says what it does", BASE, HEADER.replace("/**", "/*")),
     ("code that is written", DO, SOURCE.replace("ERR_MEMORY", "ERR_MEMROY")),
+    ("@return names", BASE, HEADER.replace("; SF_ERR_MEMORY.", ".")),
+    ("@return names", DO, after_head("static int more(void)\n{\n    return SF_ERR_MORE;\n}\n")
+     .replace("? SF_ERR_MEMORY", "? more()")),
     ("longer than 500", DO, SOURCE + "// more\n" * 500),
     ("longer than 60", DO, SOURCE.replace("    return", "    times++;\n" * 60 + "    return")),
     ("opens with its licence", DO, SOURCE.replace("SPDX", "SPXD")),

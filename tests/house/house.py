@@ -161,6 +161,48 @@ def check_codes():
     return bad
 
 
+def functions_of(path):
+    """The functions that a file defines: name, whether it is static, and body."""
+    code = re.sub(r"//[^\n]*|/\*.*?\*/", "", read(path), flags=re.S)
+    for match in re.finditer(r"^(\w[^;{}#]*?\b(\w+)\([^;{}]*\))\n\{\n(.*?)^\}", code, re.M | re.S):
+        yield match.group(2), match.group(1).startswith("static"), match.group(3)
+
+
+def literal_codes(name, bodies, seen):
+    """Codes that a function makes, itself or in the static functions of its file that it names."""
+    seen.add(name)
+    made = set(re.findall(r"(?<![=!]= )(?<!case )\bSF_ERR_[A-Z]+\b", bodies[name]))
+    for other in set(re.findall(r"\b\w+\b", bodies[name])) & bodies.keys() - seen:
+        made |= literal_codes(other, bodies, seen)
+    return made
+
+
+def named_codes(name, seen):
+    """Codes that the comment of a public function names, by itself or by the functions it refers to."""
+    seen.add(name)
+    comment = next((f.comment for f in FUNCTIONS if f.name == name), None) or ""
+    said = re.search(r"@return(.*?)(?=\s@[a-z]|\*/)", comment, re.S)
+    codes = set(re.findall(r"\bSF_ERR_[A-Z]+\b", said.group(1) if said else ""))
+    for other in set(re.findall(r"\b(sf_\w+)\(\)", said.group(1) if said else "")) - seen:
+        codes |= named_codes(other, seen)
+    return codes
+
+
+def check_returns():
+    """A public function's @return names the codes that its own file makes."""
+    bad = []
+    public = {f.name for f in FUNCTIONS if "sf_status" in f.returns}
+    for path in [p for p in SOURCES if p.startswith("libsf/") and p.endswith(".c")]:
+        found = list(functions_of(path))
+        bodies = {name: body for name, is_static, body in found if is_static}
+        for name, is_static, body in found:
+            if name in public:
+                made = literal_codes(name, {**bodies, name: body}, set())
+                bad += [f"{path}: {name} does not document {code}"
+                        for code in made - named_codes(name, set())]
+    return bad
+
+
 # --- how long things are, how they begin, how they look ----------------------------------------
 
 
@@ -350,7 +392,7 @@ def check_readme():
 
 
 def main():
-    checks = [check_exports, check_libc, check_doc_comments, check_codes, check_files,
+    checks = [check_exports, check_libc, check_doc_comments, check_codes, check_returns, check_files,
               check_functions, check_heads, check_guards, check_looks, check_names, check_language,
               check_format, check_floors, check_lists, check_version, check_readme]
     failures = 0

@@ -181,7 +181,8 @@ SF_API int sf_stack_has_png(void);
  * @param task    NULL, or progress per layer and a cancel between layers
  * @param fault   NULL, or filled on failure with the file that could not be written
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a rule, angle or bed layer that there is not;
- * SF_ERR_MEMORY; SF_ERR_CANCELLED; or what the folder or its sinks returned.
+ * SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: libspng refuses what it should take; or what
+ * the folder or its sinks returned.
  * @cost one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib take
  * some 300 KiB from the C library, because they know no other allocators.
  * @threads any that only read the grid, on distinct folders.
@@ -206,8 +207,8 @@ SF_API SF_CHECKED sf_status sf_stack_write(const sf_grid *grid, const sf_stack_i
  * @return SF_OK; SF_ERR_FORMAT: stack.json or a picture is damaged, or they disagree;
  * SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a build
  * without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine addresses;
- * SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer; or what the folder or its
- * sources returned.
+ * SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_INTERNAL: libspng
+ * refuses what it should take; or what the folder or its sources returned.
  * @cost two opens of each picture, one pass over their bytes. jansson, libspng and zlib take memory
  * from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
  * @threads any, on distinct folders.
@@ -225,7 +226,8 @@ SF_API SF_CHECKED sf_status sf_stack_read(sf_folder folder, const sf_allocator *
  * @param height  1..SF_EXTENT_MAX
  * @param sink    where the bytes go; on failure it may have had some
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer or a size outside its range; SF_ERR_UNSUPPORTED: a
- * build without PNG; SF_ERR_MEMORY; or what the sink returned.
+ * build without PNG; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses what it should take; or what
+ * the sink returned.
  * @cost one pass, mostly in the compressor, which takes its memory from the C library.
  * @threads any, on distinct sinks.
  * @since 0.1

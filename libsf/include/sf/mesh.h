@@ -283,7 +283,8 @@ typedef struct sf_voxelizer sf_voxelizer;
  * @return SF_OK; SF_ERR_ARGUMENT when a pointer is missing, an index names no vertex, or lattice or
  * options are out of range; SF_ERR_UNSUPPORTED when a corner is not finite or too far away, or
  * there are too many layers; SF_ERR_OVERFLOW for more than 2^32 - 1 vertices or triangles (2^30
- * where the mesh is not closed); SF_ERR_MEMORY.
+ * where the mesh is not closed), and for heights of layers that leave the same two million voxels;
+ * SF_ERR_MEMORY.
  * @cost linear in vertices and triangles; more memory (about 100 bytes a triangle, for a while)
  * where the mesh is not closed.
  * @threads any; one call at a time for each allocator.

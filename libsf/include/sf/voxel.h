@@ -429,7 +429,7 @@ SF_API SF_CHECKED sf_status sf_grid_create(const sf_lattice *lattice, const sf_a
 /**
  * Make a copy of a grid, with memory from `allocator`, which may be NULL and another than its own.
  *
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY.
+ * @return as sf_grid_create().
  * @cost one pass.   @threads any; the grid is only read.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_clone(const sf_grid *grid, const sf_allocator *allocator,
