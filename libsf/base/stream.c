@@ -8,7 +8,7 @@
 static sf_status memory_read(void *user, void *data, size_t capacity, size_t *size)
 {
     sf_memory_cursor *cursor = user;
-    size_t left = cursor->size - cursor->position;
+    size_t left = cursor->position < cursor->size ? cursor->size - cursor->position : 0;
     size_t taken = capacity < left ? capacity : left;
     if (taken > 0) {
         memcpy(data, (const unsigned char *)cursor->data + cursor->position, taken);

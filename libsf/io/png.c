@@ -123,6 +123,9 @@ static int fetch(spng_ctx *context, void *user, void *data, size_t size)
     for (size_t done = 0, got = 0; done < size; done += got) {
         in->status =
             in->source.read(in->source.user, (unsigned char *)data + done, size - done, &got);
+        if (in->status == SF_OK && got > size - done) {
+            in->status = SF_ERR_IO; // the source has broken its promise
+        }
         if (in->status != SF_OK) {
             return SPNG_IO_ERROR;
         }

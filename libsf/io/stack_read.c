@@ -207,6 +207,7 @@ static sf_status read_text(sf_source source, const sf_allocator *allocator, text
             return SF_ERR_MEMORY;
         }
         sf_status status = source.read(source.user, (char *)all->bytes + all->size, 4096, &got);
+        status = status == SF_OK && got > 4096 ? SF_ERR_IO : status; // a broken promise
         if (status != SF_OK) {
             return document_fault(fault, status, "reading failed");
         }

@@ -238,6 +238,57 @@ static void refuses_wrong_arguments(void)
     sf_grid_destroy(grid);
 }
 
+// A folder in which one file's source says that it read more than it was asked for.
+typedef struct boaster {
+    sf_folder honest;
+    const char *name;
+    sf_source source;
+} boaster;
+
+static sf_status boast(void *user, void *data, size_t capacity, size_t *size)
+{
+    boaster *b = user;
+    sf_status status = b->source.read(b->source.user, data, capacity, size);
+    *size = capacity + 1;
+    return status;
+}
+
+static sf_status open_boasting(void *user, const char *name, sf_source *source)
+{
+    boaster *b = user;
+    sf_status status = b->honest.open(b->honest.user, name, source);
+    if (status == SF_OK && strcmp(name, b->name) == 0) {
+        b->source = *source;
+        source->read = boast;
+        source->user = b;
+    }
+    return status;
+}
+
+static void close_boasting(void *user, sf_source source)
+{
+    boaster *b = user;
+    b->honest.close(b->honest.user, source.user == b ? b->source : source);
+}
+
+static void a_source_that_gives_too_much_is_refused(void)
+{
+    memory_folder folder;
+    sf_folder files = memory_begin_folder(&folder);
+    sf_grid *grid = small_grid(3);
+    sf_fault fault;
+    CHECK_EQ(sf_stack_write(grid, NULL, files, NULL, NULL), SF_OK);
+    for (int i = 0; i < folder.count && reading_works(); i++) {
+        boaster b = {files, folder.files[i].name, {NULL, NULL}};
+        sf_folder boasting = {open_boasting, close_boasting, NULL, NULL, &b};
+        CHECK_EQ(read_it(boasting, &fault), SF_ERR_IO);
+        CHECK(strstr(fault.message, folder.files[i].name) != NULL);
+    }
+    CHECK_EQ(folder.faults, 0);
+    sf_grid_destroy(grid);
+    memory_end_folder(&folder);
+}
+
 int main(void)
 {
     TEST(refuses_damaged_documents);
@@ -245,6 +296,7 @@ int main(void)
     TEST(survives_every_refused_allocation);
     TEST(a_failing_write_leaves_no_stack);
     TEST(tells_progress_and_can_be_cancelled);
+    TEST(a_source_that_gives_too_much_is_refused);
     TEST(refuses_wrong_arguments);
     return test_finish();
 }

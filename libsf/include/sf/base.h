@@ -141,7 +141,7 @@ typedef struct sf_allocator {
  *
  * `read` stores up to `capacity` bytes (at least 1 is asked for) and their number in `size`; 0
  * bytes with SF_OK means the end. Short reads are fine. A status other than SF_OK is passed on
- * unchanged.
+ * unchanged; a source that claims more than `capacity` is taken for one that failed, SF_ERR_IO.
  */
 typedef struct sf_source {
     sf_status (*read)(void *user, void *data, size_t capacity, size_t *size);
@@ -159,7 +159,7 @@ typedef struct sf_sink {
 typedef struct sf_memory_cursor {
     const void *data; /**< first byte */
     size_t size;      /**< number of bytes */
-    size_t position;  /**< bytes already read */
+    size_t position;  /**< bytes already read; beyond `size` it is at the end */
 } sf_memory_cursor;
 
 /**

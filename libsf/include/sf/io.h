@@ -208,7 +208,8 @@ SF_API SF_CHECKED sf_status sf_stack_write(const sf_grid *grid, const sf_stack_i
  * SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a build
  * without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine addresses;
  * SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_INTERNAL: libspng
- * refuses what it should take; or what the folder or its sources returned.
+ * refuses what it should take; SF_ERR_IO: a source that claims more than it was asked for; or what
+ * the folder or its sources returned.
  * @cost two opens of each picture, one pass over their bytes. jansson, libspng and zlib take memory
  * from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
  * @threads any, on distinct folders.
