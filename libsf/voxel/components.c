@@ -33,11 +33,17 @@ static void join(sf_run *runs, uint32_t a, uint32_t b)
     }
 }
 
+// Within the largest slice and not empty: so that sums of ends never wrap.
+static int is_run(const sf_run *run)
+{
+    return run->x0 < run->x1 && run->x1 <= SF_EXTENT_MAX && run->y < SF_EXTENT_MAX;
+}
+
 // Row order, left to right, with at least one empty voxel between neighbours of a row.
 static int in_order(const sf_run *runs, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if (runs[i].x0 >= runs[i].x1) {
+        if (!is_run(&runs[i])) {
             return 0;
         }
         if (i > 0 && (runs[i].y < runs[i - 1].y ||
@@ -53,10 +59,10 @@ static void join_rows(sf_run *runs, size_t from, size_t first, size_t end, uint3
 {
     size_t below = from;
     for (size_t i = first; i < end; i++) {
-        while (below < first && (uint64_t)runs[below].x1 + slack <= runs[i].x0) {
+        while (below < first && runs[below].x1 + slack <= runs[i].x0) {
             below++;
         }
-        for (size_t j = below; j < first && runs[j].x0 < (uint64_t)runs[i].x1 + slack; j++) {
+        for (size_t j = below; j < first && runs[j].x0 < runs[i].x1 + slack; j++) {
             join(runs, (uint32_t)j, (uint32_t)i);
         }
     }
@@ -117,7 +123,7 @@ sf_status sf_runs_measure(const sf_run *runs, size_t count, sf_component *compon
         if (runs[i].label >= capacity) {
             return SF_ERR_CAPACITY;
         }
-        if (runs[i].x0 >= runs[i].x1) {
+        if (!is_run(&runs[i])) {
             return SF_ERR_ARGUMENT;
         }
     }

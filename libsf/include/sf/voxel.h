@@ -356,8 +356,8 @@ SF_API SF_CHECKED sf_status sf_slice_from_runs(sf_slice dst, const sf_run *runs,
  * The runs are those of sf_slice_runs(): in row order, from left to right, with an empty voxel
  * between those of one row. Labels on entry are ignored.
  *
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such connectivity, runs that are empty or out
- * of order; SF_ERR_OVERFLOW: more than UINT32_MAX runs.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such connectivity, runs that are empty, out of
+ * order or beyond the largest slice; SF_ERR_OVERFLOW: more than UINT32_MAX runs.
  * @cost nearly linear in the runs; no memory.   @threads one per array.
  * @source R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975. @since 0.1
  */
@@ -367,8 +367,8 @@ SF_API SF_CHECKED sf_status sf_runs_label(sf_run *runs, size_t count, sf_connect
 /**
  * Area and bounds of each labelled component; places that no run names become zero.
  *
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, an empty run; SF_ERR_CAPACITY: a label without a
- * place.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a run that is empty or beyond the largest slice;
+ * SF_ERR_CAPACITY: a label without a place.
  * @cost linear in runs and places.   @threads any that write to distinct arrays.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_runs_measure(const sf_run *runs, size_t count,

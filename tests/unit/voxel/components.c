@@ -141,11 +141,38 @@ static void runs_out_of_order_are_refused(void)
     CHECK_EQ(count, 0);
 }
 
+// No slice holds them, and the ends of their bounds would wrap.
+static void runs_beyond_every_slice_are_refused(void)
+{
+    const sf_run beyond[] = {{0, 1, UINT32_MAX, 0},
+                             {0, 1, SF_EXTENT_MAX, 0},
+                             {0, UINT32_MAX, 0, 0},
+                             {0, SF_EXTENT_MAX + 1, 0, 0},
+                             {3, 3, 0, 0}};
+    sf_component component = {7, {1, 2, 3, 4}};
+    uint32_t count = 7;
+    for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++) {
+        sf_run run = beyond[i];
+        run.label = 0;
+        CHECK_EQ(sf_runs_measure(&run, 1, &component, 1), SF_ERR_ARGUMENT);
+        CHECK_EQ(component.area, 7);
+        run.label = 9;
+        CHECK_EQ(sf_runs_label(&run, 1, SF_CONNECT_EDGES, &count), SF_ERR_ARGUMENT);
+        CHECK(run.label == 9 && count == 7);
+    }
+    sf_run last = {SF_EXTENT_MAX - 1, SF_EXTENT_MAX, SF_EXTENT_MAX - 1, 0};
+    CHECK_EQ(sf_runs_label(&last, 1, SF_CONNECT_CORNERS, &count), SF_OK);
+    CHECK_EQ(sf_runs_measure(&last, 1, &component, 1), SF_OK);
+    CHECK_EQ(component.bounds.x1, SF_EXTENT_MAX);
+    CHECK_EQ(component.bounds.y1, SF_EXTENT_MAX);
+}
+
 int main(void)
 {
     TEST(every_four_by_four);
     TEST(random_slices);
     TEST(chains);
     TEST(runs_out_of_order_are_refused);
+    TEST(runs_beyond_every_slice_are_refused);
     return test_finish();
 }
