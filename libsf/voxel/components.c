@@ -10,8 +10,7 @@
 // halving.)
 
 #include "base/status.h"
-
-#include <sf/voxel.h>
+#include "voxel/rect.h"
 
 static uint32_t find_root(sf_run *runs, uint32_t i)
 {
@@ -105,14 +104,6 @@ sf_status sf_runs_label(sf_run *runs, size_t count, sf_connectivity connectivity
     return SF_OK;
 }
 
-static void widen(sf_rect *bounds, const sf_run *run)
-{
-    bounds->x0 = run->x0 < bounds->x0 ? run->x0 : bounds->x0;
-    bounds->y0 = run->y < bounds->y0 ? run->y : bounds->y0;
-    bounds->x1 = run->x1 > bounds->x1 ? run->x1 : bounds->x1;
-    bounds->y1 = run->y + 1 > bounds->y1 ? run->y + 1 : bounds->y1;
-}
-
 sf_status sf_runs_measure(const sf_run *runs, size_t count, sf_component *components,
                           size_t capacity)
 {
@@ -128,19 +119,14 @@ sf_status sf_runs_measure(const sf_run *runs, size_t count, sf_component *compon
         }
     }
     for (size_t i = 0; i < capacity; i++) {
-        sf_component none = {0, {UINT32_MAX, UINT32_MAX, 0, 0}};
+        sf_component none = {0, {0, 0, 0, 0}};
         components[i] = none;
     }
     for (size_t i = 0; i < count; i++) {
         sf_component *c = &components[runs[i].label];
+        sf_rect run = {runs[i].x0, runs[i].y, runs[i].x1, runs[i].y + 1};
         c->area += runs[i].x1 - runs[i].x0;
-        widen(&c->bounds, &runs[i]);
-    }
-    for (size_t i = 0; i < capacity; i++) {
-        if (components[i].area == 0) {
-            sf_rect none = {0, 0, 0, 0};
-            components[i].bounds = none;
-        }
+        c->bounds = sfi_rect_union(c->bounds, run);
     }
     return SF_OK;
 }

@@ -10,6 +10,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 #include <string.h>
@@ -153,17 +154,9 @@ uint64_t sf_grid_popcount(const sf_grid *grid)
 
 sf_box sf_grid_bounds(const sf_grid *grid)
 {
-    sf_box none = {0, 0, 0, 0, 0, 0}, box = {UINT32_MAX, UINT32_MAX, UINT32_MAX, 0, 0, 0};
+    sf_box box = {0, 0, 0, 0, 0, 0};
     for (uint32_t k = 0; grid != NULL && k < grid->lattice.nz; k++) {
-        sf_rect rect = sf_slice_bounds(sf_grid_slice(grid, k));
-        if (rect.x1 > rect.x0) {
-            box.x0 = rect.x0 < box.x0 ? rect.x0 : box.x0;
-            box.y0 = rect.y0 < box.y0 ? rect.y0 : box.y0;
-            box.z0 = k < box.z0 ? k : box.z0;
-            box.x1 = rect.x1 > box.x1 ? rect.x1 : box.x1;
-            box.y1 = rect.y1 > box.y1 ? rect.y1 : box.y1;
-            box.z1 = k + 1;
-        }
+        box = sfi_box_union(box, sf_slice_bounds(sf_grid_slice(grid, k)), k);
     }
-    return box.z1 == 0 ? none : box;
+    return box;
 }
