@@ -13,6 +13,7 @@
 #include "io/cursor.h"
 #include "io/emitter.h"
 #include "io/number.h"
+#include "simd/kernels.h"
 
 #include <string.h>
 
@@ -40,7 +41,7 @@ void sfi_picture_unpack(sf_slice slice, uint32_t y, int invert, const unsigned c
 {
     uint64_t *row = slice.words + (size_t)y * slice.stride;
     size_t count = (slice.width + 7) / 8;
-    memset(row, 0, ((size_t)slice.width + 63) / 64 * sizeof *row);
+    memset(row, 0, sfi_row_words(slice.width) * sizeof *row);
     for (size_t i = 0; i < count; i++) {
         unsigned byte = invert ? packed[i] ^ 0xffu : packed[i];
         if (i + 1 == count && slice.width % 8 != 0) {

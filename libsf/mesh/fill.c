@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "mesh/shell.h"
+#include "simd/kernels.h"
 
 #include <string.h>
 
@@ -125,7 +126,7 @@ static void fill_by_touch(const sf_voxelizer *v, sfi_fill_lane *lane, uint32_t k
     for (uint32_t k = k0; k < k1; k++) {
         sf_slice slice = target_slice(to, k);
         for (uint32_t y = 0; y < slice.height; y++) {
-            memset(slice.words + (size_t)y * slice.stride, 0, ((size_t)slice.width + 63) / 64 * 8);
+            memset(slice.words + (size_t)y * slice.stride, 0, sfi_row_words(slice.width) * 8);
         }
         sfi_shell_add(&v->frame, &v->skin, list, count, k, slice);
         sfi_shell_add(&v->frame, &v->skin, v->buckets.tall, v->buckets.tall_count, k, slice);

@@ -16,6 +16,7 @@
 #include "mesh/hole.h"
 
 #include "base/memory.h"
+#include "simd/kernels.h"
 
 #include <string.h>
 
@@ -203,7 +204,7 @@ void sfi_row_fill_open(sfi_lane *lane, sfi_hole_lane *holes, size_t change_count
 {
     open_row row = {lane, holes, change_count, frame, skin, y, k, words};
     sum_changes(lane->changes, change_count);
-    memset(words, 0, ((size_t)frame->nx + 63) / 64 * sizeof *words);
+    memset(words, 0, sfi_row_words(frame->nx) * sizeof *words);
     for (uint32_t x = 0; x < frame->nx; x += sides[0]) {
         interval part = {x, x + sides[0] < frame->nx ? x + sides[0] : frame->nx};
         fill_boxes(&row, part);

@@ -10,6 +10,7 @@
 #include "mesh/row.h"
 
 #include "base/memory.h"
+#include "simd/kernels.h"
 
 #include <string.h>
 
@@ -156,7 +157,7 @@ void sfi_row_fill(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *w
     uint32_t nx = (uint32_t)(lane->voxel_count - 1), start = nx;
     int32_t winding = 0;
     int inside = 0;
-    memset(words, 0, ((size_t)nx + 63) / 64 * sizeof(uint64_t));
+    memset(words, 0, sfi_row_words(nx) * sizeof(uint64_t));
     for (size_t i = 0; i < change_count; i++) {
         sfi_change change = lane->changes[i];
         winding += change.mesh + change.cap;
@@ -185,7 +186,7 @@ void sfi_lane_fill(sfi_lane *lane, size_t row, sf_fill fill, uint64_t *words)
         return;
     }
     uint32_t nx = (uint32_t)(lane->voxel_count - 1), start = nx;
-    for (uint32_t i = 0; i < (nx + 63) / 64; i++) {
+    for (size_t i = 0, end = sfi_row_words(nx); i < end; i++) {
         words[i] = 0;
     }
     if (count == 0) {

@@ -15,6 +15,7 @@
 #include "base/task.h"
 #include "mesh/fill.h"
 #include "mesh/shell.h"
+#include "simd/kernels.h"
 
 #include <string.h>
 
@@ -113,7 +114,7 @@ void sf_voxelizer_destroy(sf_voxelizer *voxelizer)
 sf_status sf_voxelizer_slice(sf_voxelizer *voxelizer, uint32_t k, sf_slice slice)
 {
     if (voxelizer == NULL || slice.words == NULL || k >= voxelizer->frame.nz ||
-        slice.stride < ((size_t)slice.width + 63) / 64) {
+        slice.stride < sfi_row_words(slice.width)) {
         return SF_ERR_ARGUMENT;
     }
     if (slice.width != voxelizer->frame.nx || slice.height != voxelizer->frame.ny) {
@@ -167,7 +168,7 @@ static void copy_layers(sf_grid *to, const sf_grid *from, uint32_t nz)
         sf_slice target = sf_grid_slice(to, k), source = sf_grid_slice(from, k);
         for (uint32_t y = 0; y < target.height; y++) {
             memcpy(target.words + (size_t)y * target.stride,
-                   source.words + (size_t)y * source.stride, ((size_t)target.width + 63) / 64 * 8);
+                   source.words + (size_t)y * source.stride, sfi_row_words(target.width) * 8);
         }
     }
 }
@@ -177,7 +178,7 @@ static void clear_layers(sf_grid *grid, uint32_t nz)
     for (uint32_t k = 0; k < nz; k++) {
         sf_slice slice = sf_grid_slice(grid, k);
         for (uint32_t y = 0; y < slice.height; y++) {
-            memset(slice.words + (size_t)y * slice.stride, 0, ((size_t)slice.width + 63) / 64 * 8);
+            memset(slice.words + (size_t)y * slice.stride, 0, sfi_row_words(slice.width) * 8);
         }
     }
 }
