@@ -6,8 +6,6 @@
 
 #include "base/memory.h"
 
-#include "base/size.h"
-
 #include <stdlib.h>
 #include <string.h>
 

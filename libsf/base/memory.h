@@ -6,8 +6,7 @@
 
 #include <sf/base.h>
 
-// Alignment of everything that rows of voxels live in: a cache line, and the widest vector.
-#define SFI_ALIGN 64
+#include "base/size.h"
 
 // The allocator to keep: a copy of the caller's, or the C library's when `allocator` is NULL.
 sf_allocator sfi_allocator_or_default(const sf_allocator *allocator);

@@ -11,6 +11,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// Alignment of everything that rows of voxels live in: a cache line, and the widest vector.
+#define SFI_ALIGN 64
+
 static inline int sfi_size_add(size_t a, size_t b, size_t *sum)
 {
     if (a > SIZE_MAX - b) {
