@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The kernels for x86: SSE2 and AVX2, chosen while the program runs.
+// The kernels for x86: SSE2, AVX2 and AVX-512, chosen while the program runs.
 //
 // Each function carries its own target attribute, so that no file needs compiler flags of its own
-// and nothing built for AVX2 can leak into code that runs everywhere. Without a C library to ask
-// what the processor has (a freestanding build) there are no such kernels.
+// and nothing built for newer processors can leak into code that runs everywhere. Without a C
+// library to ask what the processor has (a freestanding build) there are no such kernels.
 
 #include "simd/kernels.h"
 

@@ -65,7 +65,12 @@ SF_API const char *sf_version(void);
 // Status
 // ---------------------------------------------------------------------------------------------
 
-/** What became of a call. Numbers are fixed and never reused; anything but SF_OK changed nothing.
+/**
+ * What became of a call. Numbers are fixed and never reused.
+ *
+ * Anything but SF_OK changed no object and no output, with one exception: SF_ERR_CAPACITY may leave
+ * the number of places needed in the call's count, where its comment says so. An sf_fault is there
+ * to be filled, and a sink keeps the bytes that it has had.
  */
 typedef enum sf_status {
     SF_OK = 0,              /**< done */
