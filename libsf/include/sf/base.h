@@ -130,6 +130,9 @@ typedef struct sf_fault {
  * `free` gets the same size back; its pointer is never NULL. Both may be called from the thread
  * that calls the library, and from no other. The struct is copied by owners; `user` must outlive
  * them.
+ *
+ * An allocator serves one thread at a time: of the calls that take it, or that change or destroy an
+ * owner made with it, one may run at a time, unless its functions lock. The C library's do.
  */
 typedef struct sf_allocator {
     void *(*alloc)(void *user, size_t size, size_t align);

@@ -82,7 +82,7 @@ SF_API sf_mesh_format sf_mesh_format_from_name(const char *name);
  * @return SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_OVERFLOW: more than `limits`;
  * SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source returned.
  * @cost one pass over the file; while it grows, memory for two and a half times the mesh.
- * @threads any, on distinct sources.
+ * @threads any, on distinct sources; one at a time for each allocator.
  * @source 3D Systems, "StereoLithography Interface Specification", 1989; Wavefront, "Object Files";
  * G. Turk, "The PLY Polygon File Format", 1994; the Geomview manual, "OFF Files".
  * @since 0.1
@@ -212,7 +212,7 @@ SF_API SF_CHECKED sf_status sf_stack_write(const sf_grid *grid, const sf_stack_i
  * the folder or its sources returned.
  * @cost two opens of each picture, one pass over their bytes. jansson, libspng and zlib take memory
  * from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
- * @threads any, on distinct folders.
+ * @threads any, on distinct folders; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stack_read(sf_folder folder, const sf_allocator *allocator,
@@ -252,7 +252,7 @@ typedef struct sf_file sf_file;
  * @param fault      NULL, or filled on failure with the path and the reason
  * @return SF_OK; SF_ERR_IO: it is not there, is a folder, or may not be read; SF_ERR_MEMORY;
  * SF_ERR_ARGUMENT: a NULL pointer.
- * @cost constant.   @threads any.
+ * @cost constant.   @threads any; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_file_open(const char *path, const sf_allocator *allocator,
@@ -293,7 +293,7 @@ typedef struct sf_save sf_save;
  * @param fault      NULL, or filled on failure with the path and the reason
  * @return SF_OK; SF_ERR_IO: a folder or a device stands there, or no file can be made beside it;
  * SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
- * @cost constant.   @threads any.
+ * @cost constant.   @threads any; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_save_begin(const char *path, const sf_allocator *allocator,
@@ -345,7 +345,7 @@ typedef struct sf_directory sf_directory;
  * @param fault      NULL, or filled on failure with the path and the reason
  * @return SF_OK; SF_ERR_IO: it is not there or no folder; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL
  * pointer or an empty path.
- * @cost constant.   @threads any.
+ * @cost constant.   @threads any; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_directory_read(const char *path, const sf_allocator *allocator,
@@ -365,7 +365,8 @@ SF_API SF_CHECKED sf_status sf_directory_read(const char *path, const sf_allocat
  * @param fault      NULL, or filled on failure with the path and the reason
  * @return SF_OK; SF_ERR_IO: something else stands there, or no folder can be made beside it;
  * SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
- * @cost the number of entries of the folder that stands there.   @threads any.
+ * @cost the number of entries of the folder that stands there.   @threads any; one at a time for
+ * each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_directory_write(const char *path, const sf_allocator *allocator,

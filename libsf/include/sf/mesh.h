@@ -34,7 +34,7 @@ typedef struct sf_mesh sf_mesh;
  * @param allocator  where its memory comes from, now and as it grows; NULL for the C library's
  * @param mesh       receives the mesh
  * @return SF_OK; SF_ERR_ARGUMENT: `mesh` is NULL; SF_ERR_MEMORY.
- * @cost constant.   @threads any; one call at a time for each allocator.
+ * @cost constant.   @threads any; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_create(const sf_allocator *allocator, sf_mesh **mesh);
@@ -131,7 +131,8 @@ SF_API SF_CHECKED sf_status sf_mesh_transform(sf_mesh *mesh, const sf_transform 
  * @param merged     receives the copy
  * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW:
  * more vertices than the machine can address twice; SF_ERR_MEMORY.
- * @cost linear, but for collisions in a hash table.   @threads any.
+ * @cost linear, but for collisions in a hash table.   @threads any; one at a time for each
+ * allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator *allocator,
@@ -180,7 +181,7 @@ typedef struct sf_topology {
  * @param topology   receives the counts
  * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
  * triangles; SF_ERR_OVERFLOW: too many triangles; SF_ERR_MEMORY.
- * @cost nearly linear in vertices and triangles.   @threads any.
+ * @cost nearly linear in vertices and triangles.   @threads any; one at a time for each allocator.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_analyze(sf_mesh_view mesh, const sf_allocator *allocator,
@@ -287,7 +288,7 @@ typedef struct sf_voxelizer sf_voxelizer;
  * SF_ERR_MEMORY.
  * @cost linear in vertices and triangles; more memory (about 100 bytes a triangle, for a while)
  * where the mesh is not closed.
- * @threads any; one call at a time for each allocator.
+ * @threads any; one at a time for each allocator.
  * @source J. Pineda, "A parallel algorithm for polygon rasterization", 1988; A. Jacobson, L. Kavan,
  * O. Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", 2013;
  * G. Barill and others, "Fast winding numbers for soups and clouds", 2018; M. Schwarz, H.-P.
@@ -353,7 +354,8 @@ SF_API SF_CHECKED sf_status sf_voxelizer_report(const sf_voxelizer *voxelizer,
  * sf_voxelizer_create(); SF_ERR_CANCELLED.
  * @cost linear in triangles, crossings, and words of the grid; around holes, also in the voxels
  * near the surface that spans them. 82,000 triangles on 512^3: 14 ms on one core.
- * @threads any, on distinct grids; the task's hook may run up to 16 pieces at once.
+ * @threads any, on distinct grids; the task's hook may run up to 16 pieces at once; one at a time
+ * for each allocator.
  * @source as sf_voxelizer_create().
  * @since 0.1
  */
@@ -408,7 +410,7 @@ SF_API sf_surface_options sf_surface_options_default(void);
  * of passes outside its range; SF_ERR_OVERFLOW: more than UINT32_MAX vertices, or more triangles
  * than the machine can address; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost two passes over the grid and the boundary; two over the triangles for each smoothing pass.
- * @threads any; the grid is only read.
+ * @threads any; the grid is only read; one at a time for each allocator.
  * @source for smoothing G. Taubin, "A Signal Processing Approach to Fair Surface Design", SIGGRAPH
  * 1995, section 2.2; S. F. F. Gibson, "Constrained Elastic Surface Nets", MICCAI 1998.
  * @since 0.1

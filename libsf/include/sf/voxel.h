@@ -421,7 +421,7 @@ typedef struct sf_grid sf_grid;
  *
  * @return SF_OK; what sf_lattice_validate() says; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW:
  * more bytes than a size_t holds; SF_ERR_MEMORY. `allocator` may be NULL.
- * @cost one pass over the new memory.   @threads any.   @since 0.1
+ * @cost one pass over new memory.   @threads any; one at a time for each allocator.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_create(const sf_lattice *lattice, const sf_allocator *allocator,
                                            sf_grid **grid);
@@ -430,7 +430,7 @@ SF_API SF_CHECKED sf_status sf_grid_create(const sf_lattice *lattice, const sf_a
  * Make a copy of a grid, with memory from `allocator`, which may be NULL and another than its own.
  *
  * @return as sf_grid_create().
- * @cost one pass.   @threads any; the grid is only read.   @since 0.1
+ * @cost one pass.   @threads any that read; one at a time for each allocator.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_clone(const sf_grid *grid, const sf_allocator *allocator,
                                           sf_grid **clone);
