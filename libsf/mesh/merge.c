@@ -110,22 +110,20 @@ sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, u
     return SF_OK;
 }
 
-// Fill an empty mesh with the distinct points and the renumbered triangles.
-static sf_status fill_merged(sf_mesh_view mesh, const uint32_t *ids, sf_mesh *merged)
+// Fill a mesh of the right size with the distinct points and the renumbered triangles.
+static void fill_merged(sf_mesh_view mesh, const uint32_t *ids, double *vertices,
+                        uint32_t *triangles)
 {
     uint32_t next = 0;
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         if (ids[v] == next) {
-            SF_TRY(sf_mesh_add_vertices(merged, mesh.vertices + 3 * v, 1));
+            memcpy(vertices + 3 * (size_t)next, mesh.vertices + 3 * v, 3 * sizeof *vertices);
             next++;
         }
     }
-    for (size_t t = 0; t < mesh.triangle_count; t++) {
-        const uint32_t *corner = mesh.triangles + 3 * t;
-        uint32_t renumbered[3] = {ids[corner[0]], ids[corner[1]], ids[corner[2]]};
-        SF_TRY(sf_mesh_add_triangles(merged, renumbered, 1));
+    for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
+        triangles[i] = ids[mesh.triangles[i]];
     }
-    return SF_OK;
 }
 
 sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator *allocator, sf_mesh **merged)
@@ -134,23 +132,20 @@ sf_status sf_mesh_merge(sf_mesh_view mesh, const sf_allocator *allocator, sf_mes
         return SF_ERR_ARGUMENT;
     }
     SF_TRY(sf_mesh_validate(mesh, NULL));
+    if (mesh.vertex_count == 0) {
+        return sf_mesh_create(allocator, merged);
+    }
     sf_allocator from = sfi_allocator_or_default(allocator);
-    sf_mesh *made;
-    SF_TRY(sf_mesh_create(&from, &made));
-    sf_status status = SF_OK;
-    if (mesh.vertex_count > 0) {
-        size_t count;
-        uint32_t *ids = sfi_alloc_array(&from, mesh.vertex_count, sizeof *ids);
-        status = ids == NULL ? SF_ERR_MEMORY : sfi_mesh_positions(mesh, &from, ids, &count);
-        if (status == SF_OK) {
-            status = fill_merged(mesh, ids, made);
-        }
-        sfi_free_array(&from, ids, mesh.vertex_count, sizeof *ids);
+    uint32_t *ids = sfi_alloc_array(&from, mesh.vertex_count, sizeof *ids), *triangles;
+    double *vertices;
+    size_t count;
+    sf_status status = ids == NULL ? SF_ERR_MEMORY : sfi_mesh_positions(mesh, &from, ids, &count);
+    if (status == SF_OK) {
+        status = sfi_mesh_make(&from, count, mesh.triangle_count, merged, &vertices, &triangles);
     }
-    if (status != SF_OK) {
-        sf_mesh_destroy(made);
-        return status;
+    if (status == SF_OK) {
+        fill_merged(mesh, ids, vertices, triangles);
     }
-    *merged = made;
-    return SF_OK;
+    sfi_free_array(&from, ids, mesh.vertex_count, sizeof *ids);
+    return status;
 }

@@ -128,11 +128,71 @@ static void memory_runs_out_anywhere(void)
     }
 }
 
+// The same tetrahedron with corners of its own for every face, as STL has it; and no more requests
+// than for what is needed at once, however many vertices there are.
+static void merging_takes_memory_once(void)
+{
+    double apart[36];
+    uint32_t numbers[12];
+    for (size_t i = 0; i < 12; i++) {
+        memcpy(apart + 3 * i, corners + 3 * faces[i], 3 * sizeof *apart);
+        numbers[i] = (uint32_t)i;
+    }
+    sf_mesh_view view = {apart, 12, numbers, 4};
+    const uint32_t expected[12] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3};
+    for (long n = 0;; n++) {
+        failing_allocator from;
+        sf_mesh *merged = NULL;
+        failing_begin(&from, n);
+        sf_status status = sf_mesh_merge(view, &from.allocator, &merged);
+        CHECK(status == SF_OK ? merged != NULL : status == SF_ERR_MEMORY && merged == NULL);
+        if (status == SF_OK) {
+            sf_mesh_view made = sf_mesh_get_view(merged);
+            CHECK(made.vertex_count == 4 && made.triangle_count == 4);
+            CHECK(memcmp(made.triangles, expected, sizeof expected) == 0);
+            CHECK(memcmp(made.vertices + 3, corners + 6, 3 * sizeof(double)) == 0);
+            CHECK_EQ(from.live, 3); // the mesh and its two arrays, which are just as large
+            CHECK_EQ(from.requests, 5);
+        }
+        sf_mesh_destroy(merged);
+        CHECK(from.live == 0 && from.faults == 0);
+        if (status == SF_OK) {
+            break;
+        }
+    }
+    view.vertex_count = view.triangle_count = 0;
+    sf_mesh *nothing = NULL;
+    CHECK_EQ(sf_mesh_merge(view, NULL, &nothing), SF_OK);
+    CHECK_EQ(sf_mesh_get_view(nothing).vertex_count, 0);
+    sf_mesh_destroy(nothing);
+}
+
+// Many points; and arrays of nothing are not asked for.
+static void merging_points_alone(void)
+{
+    double points[300];
+    for (size_t i = 0; i < 300; i++) {
+        points[i] = (double)i;
+    }
+    failing_allocator from;
+    failing_begin(&from, -1);
+    sf_mesh_view view = {points, 100, NULL, 0};
+    sf_mesh *merged = NULL;
+    CHECK_EQ(sf_mesh_merge(view, &from.allocator, &merged), SF_OK);
+    CHECK_EQ(sf_mesh_get_view(merged).vertex_count, 100);
+    CHECK_EQ(sf_mesh_get_view(merged).triangle_count, 0);
+    CHECK_EQ(from.requests, 4);
+    sf_mesh_destroy(merged);
+    CHECK(from.live == 0 && from.faults == 0);
+}
+
 int main(void)
 {
     TEST(counts_that_wrap_are_refused);
     TEST(views_that_are_no_mesh_are_refused);
     TEST(a_mesh_lets_nothing_in_that_is_no_mesh);
+    TEST(merging_takes_memory_once);
+    TEST(merging_points_alone);
     TEST(memory_runs_out_anywhere);
     return test_finish();
 }
