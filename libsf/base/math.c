@@ -15,7 +15,16 @@
 
 #include "base/math.h"
 
+#include <float.h>
 #include <math.h>
+
+// What follows holds for IEEE doubles alone, and everything that comes out of it with them.
+#if defined(__FAST_MATH__)
+#error "fast-math changes results; build without -ffast-math and -Ofast"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "doubles must be computed as doubles; on 32-bit x86 build with -msse2 -mfpmath=sse"
+#endif
 
 #define HALF_PI_HIGH 0x1.921fb54442d18p+0
 #define HALF_PI_LOW 0x1.1a62633145c07p-54
