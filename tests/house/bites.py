@@ -135,6 +135,8 @@ def judge(tree):
     for verdict, sentence in re.findall(r"^(ok|not ok) \d+ - (.*)$", run.stdout, re.M):
         sentence, _, skipped = sentence.partition(" # SKIP")
         found[sentence] = "skip" if skipped else verdict
+    if f"1..{len(found)}" not in run.stdout.splitlines():
+        found = {}  # it stumbled, and what follows was never looked at
     return found, run.stdout + run.stderr
 
 
