@@ -56,6 +56,10 @@ TREE = {
     "libsf/package/meson.build": "install_headers('../include/sf/base.h')\n",
     "CITATION.cff": "version: 1.2.3\n",
     "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - today\n",
+    "README.md": "| `do` | Does it. |\n\n## Where\n\n| `libsf` | one room: `base` |\n",
+    "demo/sf/main.c": "// SPDX-License-Identifier: MIT\n// The verb of the tiny project.\n\n"
+                      "static const verb verbs[] = {\n    {{\"do\", \"Does it.\"}},\n};\n",
+    "demo/sf/meson.build": "sources += files('main.c')\n",
     # Stand-ins for nm and for what it looks into.
     "nm": "#!/bin/sh\ncat \"$2\"\n",
     "libsf.so": "00 T sf_do\n         U malloc\n",
@@ -112,6 +116,10 @@ SPOILT = [
     ("source is built", "libsf/base/meson.build", "sources += files()\n"),
     ("source is built", "libsf/base/meson.build", "sources += files('do.c', 'gone.c')\n"),
     ("source is built", "libsf/package/meson.build", "install_headers()\n"),
+    ("README names", "README.md", TREE["README.md"] + "\nSee [the guide](docs/guide.md).\n"),
+    ("README names", "README.md", TREE["README.md"] + "\nSee `libsf/gone.c`.\n"),
+    ("README names", "README.md", TREE["README.md"].replace("base", "cellar")),
+    ("README names", "README.md", TREE["README.md"].replace("Does", "Undoes")),
     ("one version", BASE, HEADER.replace("MINOR 2", "MINOR 3")),
     ("one version", "CITATION.cff", "version: 1.2.4\n"),
     ("one version", "CHANGELOG.md", "# Changelog\n\n## [1.2.2] - today\n"),
