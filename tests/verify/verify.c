@@ -92,13 +92,15 @@ static int corrupt(long count, unsigned long long seed)
     return wrong > 0;
 }
 
+static json_t *document;
+
 static int load(const char *folder)
 {
     char name[4096], *format, *word;
     struct spng_ihdr head;
     static spng_ctx *png;
     double x, y, height = 0, angle = 45, sum = 0;
-    static json_t *document, *heights, *bed_layer; // kept, like all else, to the program's end
+    static json_t *heights, *bed_layer;
     snprintf(name, sizeof name, "%s/stack.json", folder);
     if (json_unpack(document = json_load_file(name, 0, NULL),
                     "{s:s,s:{s:i,s:i,s:i,s:[F,F],s?F,s?o},s:{s:s,s?F,s?o}}", "format", &format,
@@ -139,7 +141,9 @@ static int load(const char *folder)
 
 int main(int argc, char **argv)
 {
-    if ((argc != 2 && argc != 6) || !load(argv[1])) {
+    int loaded = (argc == 2 || argc == 6) && load(argv[1]);
+    json_decref(document);
+    if (!loaded) {
         fprintf(stderr, "verify STACK_DIR [--corrupt N --seed S]: no such stack, or no rule\n");
         return 3;
     }
