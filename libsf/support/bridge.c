@@ -124,7 +124,7 @@ static void bridge_along(const direction *d, sf_slice solid, sf_slice own, sf_sl
         for (size_t i = 0; i < words; i++) {
             uint64_t starts = full[i] & ~held[i] & moved_word(before, words, i, -d->dx);
             for (; starts != 0; starts &= starts - 1) {
-                walk(d, (int64_t)i * 64 + sfi_low_zeros(starts), y, solid, anchored, gaps);
+                walk(d, (int64_t)i * 64 + sfi_lowest_bit(starts), y, solid, anchored, gaps);
             }
         }
     }

@@ -6,20 +6,8 @@
 #ifndef SF_SUPPORT_ROW_H
 #define SF_SUPPORT_ROW_H
 
+#include "base/bits.h"
 #include "simd/kernels.h"
-
-// Number of zero bits below the lowest set bit of a word that has one.
-static inline uint32_t sfi_low_zeros(uint64_t w)
-{
-    uint32_t zeros = 0;
-    for (uint32_t step = 32; step > 0; step /= 2) {
-        if ((w & ((UINT64_C(1) << step) - 1)) == 0) {
-            w >>= step;
-            zeros += step;
-        }
-    }
-    return zeros;
-}
 
 // The first x >= from whose bit, exclusive-ored with flip (0 or all ones), is set; width if none.
 static inline uint32_t sfi_row_find(const uint64_t *row, uint32_t width, uint32_t from,
@@ -36,7 +24,7 @@ static inline uint32_t sfi_row_find(const uint64_t *row, uint32_t width, uint32_
         }
         w = row[i] ^ flip;
     }
-    uint32_t x = (uint32_t)i * 64 + sfi_low_zeros(w);
+    uint32_t x = (uint32_t)i * 64 + sfi_lowest_bit(w);
     return x < width ? x : width;
 }
 

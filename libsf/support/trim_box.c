@@ -26,6 +26,7 @@
 #include "support/carry.h"
 #include "support/terms.h"
 #include "voxel/grid.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 // One call of sf_grid_trim_box().
@@ -39,33 +40,10 @@ typedef struct walk {
     sf_slice own, anchored, gaps; // the same again, for bridges
 } walk;
 
-static int is_empty(sf_rect r)
-{
-    return r.x0 >= r.x1 || r.y0 >= r.y1;
-}
-
-static sf_rect unite(sf_rect a, sf_rect b)
-{
-    if (is_empty(a) || is_empty(b)) {
-        return is_empty(a) ? b : a;
-    }
-    sf_rect r = {a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0, a.x1 > b.x1 ? a.x1 : b.x1,
-                 a.y1 > b.y1 ? a.y1 : b.y1};
-    return r;
-}
-
 // r grown by the element and a margin, clipped to the slice.
 static sf_rect grow(sf_rect r, const sf_element *element, uint32_t margin, sf_slice slice)
 {
-    if (is_empty(r)) {
-        return r;
-    }
-    uint32_t rx = element->half_width[0] + margin, ry = element->reach_y + margin;
-    r.x0 = r.x0 > rx ? r.x0 - rx : 0;
-    r.y0 = r.y0 > ry ? r.y0 - ry : 0;
-    r.x1 = slice.width - r.x1 > rx ? r.x1 + rx : slice.width;
-    r.y1 = slice.height - r.y1 > ry ? r.y1 + ry : slice.height;
-    return r;
+    return sfi_rect_grow(r, element->half_width[0] + margin, element->reach_y + margin, slice);
 }
 
 // The smallest rectangle around r that starts and ends with a word.
@@ -129,28 +107,13 @@ static sf_rect commit(const walk *w, uint32_t k, sf_rect r)
     }
     sf_rect part = align(r, slice);
     sf_rect changed = sf_slice_bounds(window(w->scratch, part));
-    if (!is_empty(changed)) {
+    if (!sfi_rect_is_empty(changed)) {
         changed.x0 += part.x0;
         changed.x1 += part.x0;
         changed.y0 += part.y0;
         changed.y1 += part.y0;
     }
     return changed;
-}
-
-static void widen_box(sf_box *box, sf_rect rect, uint32_t k)
-{
-    if (is_empty(rect)) {
-        return;
-    }
-    sf_rect flat = {box->x0, box->y0, box->x1, box->y1};
-    flat = unite(flat, rect);
-    box->z0 = box->z1 == 0 ? k : box->z0;
-    box->z1 = k + 1;
-    box->x0 = flat.x0;
-    box->y0 = flat.y0;
-    box->x1 = flat.x1;
-    box->y1 = flat.y1;
 }
 
 static sf_status walk_up(const walk *w, sf_box box, sf_box *changed)
@@ -164,15 +127,15 @@ static sf_status walk_up(const walk *w, sf_box box, sf_box *changed)
             SF_TRY(sf_rule_element(w->rule, k - 1, &element));
         }
         sf_rect edited = grow(k < box.z1 ? flat : none, &still, w->margin, w->scratch);
-        sf_rect r = unite(grow(dirty, &element, w->margin, w->scratch), edited);
-        if (is_empty(r)) {
+        sf_rect r = sfi_rect_union(grow(dirty, &element, w->margin, w->scratch), edited);
+        if (sfi_rect_is_empty(r)) {
             break;
         }
         SF_TRY(compute(w, k, r, &element));
         dirty = commit(w, k, r);
-        widen_box(changed, dirty, k);
+        *changed = sfi_box_union(*changed, dirty, k);
         if (w->drawn == w->printable) {
-            dirty = unite(dirty, edited);
+            dirty = sfi_rect_union(dirty, edited);
         }
     }
     return SF_OK;
@@ -194,7 +157,7 @@ static sf_status recompute(const walk *w, const sf_allocator *allocator, sf_box 
     for (uint32_t k = 0; status == SF_OK && k < lattice.nz; k++) {
         walk one = *w;
         one.scratch = sf_grid_slice(fresh, k);
-        widen_box(changed, commit(&one, k, all), k);
+        *changed = sfi_box_union(*changed, commit(&one, k, all), k);
     }
     sf_grid_destroy(fresh);
     return status;
@@ -268,7 +231,7 @@ sf_status sf_grid_trim_box(const sf_grid *drawn, sf_grid *printable, const sf_ru
     SF_TRY(sfi_terms_match(&ground.lattice, printable));
     SF_TRY(check_box(printable, box));
     sf_box around = {0, 0, 0, 0, 0, 0};
-    if (box.x0 < box.x1 && box.y0 < box.y1 && box.z0 < box.z1) {
+    if (!sfi_box_is_empty(box)) {
         walk w = {.drawn = drawn,
                   .printable = printable,
                   .rule = rule,
