@@ -4,6 +4,7 @@
 #include "judgement.h"
 
 #include "describe.h"
+#include "place.h"
 #include "progress.h"
 
 #include <stdio.h>
@@ -27,6 +28,39 @@ sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
     return sf_grid_check(grid, &options, NULL, &job->task, counts, NULL);
 }
 
+// What the findings cost to fix. The map that this needs takes two bytes a voxel, so
+// --memory may forbid it; then they are told by what a trim takes.
+static exit_status price(cli_job *job, const part *p, judgement *j)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_terms terms = sf_terms_default();
+    double mib = 2.0 * lattice.nx * lattice.ny * lattice.nz / 1048576;
+    size_t places = j->finding_count > 0 ? j->finding_count : 1;
+    terms.rule = p->rule;
+    terms.bed_layer = p->bed_layer;
+    j->costs = malloc(places * sizeof *j->costs);
+    j->order = malloc(2 * places * sizeof *j->order);
+    if (j->costs == NULL || j->order == NULL) {
+        return job_fail(job, EXIT_RESOURCE, "There is no memory for the costs.");
+    }
+    j->ranks = j->order + places;
+    j->priced = mib <= job->options.memory_mib;
+    sf_status status = SF_OK;
+    if (j->priced) {
+        progress_phase("pricing");
+        status = sf_findings_cost(p->grid, &terms, j->findings, j->finding_count, NULL, &job->task,
+                                  j->costs, NULL);
+    }
+    for (size_t i = 0; !j->priced && i < j->finding_count; i++) {
+        j->costs[i].trim_voxels = j->findings[i].volume;
+        j->costs[i].grow_voxels = SF_COST_NONE;
+    }
+    if (status == SF_OK) {
+        status = sf_findings_rank(j->findings, j->costs, j->finding_count, j->order);
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the costs", EXIT_INPUT);
+}
+
 exit_status judge(cli_job *job, const part *p, judgement *j)
 {
     sf_check_options options = how_to_check(p);
@@ -40,39 +74,38 @@ exit_status judge(cli_job *job, const part *p, judgement *j)
     progress_phase("checking");
     sf_status status =
         sf_grid_check(p->grid, &options, NULL, &job->task, &j->counts, &j->finding_count);
-    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
+    }
+    exit_status priced = price(job, p, j);
+    return priced == EXIT_GOOD ? hollows_find(job, p, &j->hollows) : priced;
 }
 
 void judgement_release(judgement *j)
 {
     free(j->findings);
-    j->findings = NULL;
+    free(j->costs);
+    free(j->order);
+    hollows_release(&j->hollows);
+    memset(j, 0, sizeof *j);
 }
 
 // ---------------------------------------------------------------------------------------------
 // Fields
 // ---------------------------------------------------------------------------------------------
 
-// Corners of a box of voxels in build axes, mm.
-static void box_corners(const sf_lattice *lattice, const sf_box *box, double low[3], double high[3])
-{
-    low[0] = lattice->origin_mm[0] + box->x0 * lattice->pitch_x_mm;
-    low[1] = lattice->origin_mm[1] + box->y0 * lattice->pitch_y_mm;
-    low[2] = sf_lattice_layer_bottom(lattice, box->z0);
-    high[0] = lattice->origin_mm[0] + box->x1 * lattice->pitch_x_mm;
-    high[1] = lattice->origin_mm[1] + box->y1 * lattice->pitch_y_mm;
-    high[2] = sf_lattice_layer_bottom(lattice, box->z1);
-}
-
 static const char *kind_name(sf_finding_kind kind)
 {
     return kind == SF_FINDING_ISLAND ? "island" : "overhang";
 }
 
-static void report_finding(report *r, const sf_lattice *lattice, const sf_finding *f)
+static void report_finding(report *r, const sf_lattice *lattice, const judgement *j, size_t index,
+                           uint32_t rank)
 {
+    const sf_finding *f = &j->findings[index];
+    const sf_finding_cost *cost = &j->costs[index];
     double low[3], high[3];
-    box_corners(lattice, &f->box, low, high);
+    place_of_box(lattice, &f->box, low, high);
     report_begin(r, NULL);
     report_text(r, "kind", kind_name(f->kind));
     report_count(r, "layer", f->layer);
@@ -87,6 +120,27 @@ static void report_finding(report *r, const sf_lattice *lattice, const sf_findin
     } else {
         report_count(r, "cause", f->cause);
     }
+    report_count(r, "trim_voxels", cost->trim_voxels);
+    if (cost->grow_voxels == SF_COST_NONE) {
+        report_null(r, "grow_voxels");
+    } else {
+        report_count(r, "grow_voxels", cost->grow_voxels);
+    }
+    report_count(r, "rank", rank);
+    report_end(r);
+}
+
+// The findings, each with its place in the order. ranks[]: that order turned round.
+static void report_findings(report *r, const sf_lattice *lattice, const judgement *j,
+                            uint32_t *ranks)
+{
+    for (size_t i = 0; i < j->finding_count; i++) {
+        ranks[j->order[i]] = (uint32_t)i;
+    }
+    report_begin_list(r, "findings");
+    for (size_t i = 0; i < j->finding_count; i++) {
+        report_finding(r, lattice, j, i, ranks[i]);
+    }
     report_end(r);
 }
 
@@ -99,11 +153,7 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
     report_count(r, "island_count", c->island_count);
     report_count(r, "overhang_count", c->overhang_count);
     report_flag(r, "support_free", c->support_free);
-    report_begin_list(r, "findings");
-    for (size_t i = 0; i < j->finding_count; i++) {
-        report_finding(r, lattice, &j->findings[i]);
-    }
-    report_end(r);
+    report_findings(r, lattice, j, j->ranks);
     report_count(r, "findings_dropped", c->findings_dropped);
 }
 
@@ -111,67 +161,64 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
 // Sentences
 // ---------------------------------------------------------------------------------------------
 
-// The findings that cost most, their numbers in `chosen`; returns how many.
-static size_t choose_largest(const judgement *j, size_t chosen[FINDINGS_SAID])
+static void say_finding(report *r, const sf_lattice *lattice, const judgement *j, size_t index,
+                        double voxel_mm3)
 {
-    size_t count = 0;
-    for (size_t i = 0; i < j->finding_count; i++) {
-        size_t at = count < FINDINGS_SAID ? count++ : FINDINGS_SAID;
-        while (at > 0 && j->findings[chosen[at - 1]].volume < j->findings[i].volume) {
-            if (at < FINDINGS_SAID) {
-                chosen[at] = chosen[at - 1];
-            }
-            at--;
-        }
-        if (at < FINDINGS_SAID) {
-            chosen[at] = i;
-        }
-    }
-    return count;
-}
-
-static void say_finding(report *r, const sf_lattice *lattice, const sf_finding *f, double voxel_mm3)
-{
+    const sf_finding *f = &j->findings[index];
+    uint64_t grow = j->costs[index].grow_voxels;
+    char fix[64] = "";
     double low[3], high[3];
-    char volume[DESCRIBE_MM3_SIZE];
-    box_corners(lattice, &f->box, low, high);
-    report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %s cannot print",
+    char volume[DESCRIBE_MM3_SIZE], below[DESCRIBE_MM3_SIZE];
+    if (grow != SF_COST_NONE) {
+        snprintf(fix, sizeof fix, "; %s below would hold it",
+                 describe_mm3((double)grow * voxel_mm3, below));
+    }
+    place_of_box(lattice, &f->box, low, high);
+    report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %s cannot print%s",
                kind_name(f->kind), sf_lattice_layer_bottom(lattice, f->layer), low[0], high[0],
-               low[1], high[1], describe_mm3((double)f->volume * voxel_mm3, volume));
+               low[1], high[1], describe_mm3((double)f->volume * voxel_mm3, volume), fix);
 }
 
-void judgement_report(cli_job *job, const part *p, const judgement *j)
+// The findings that cost most to fix, one by one, and the others in one line.
+static void say_findings(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3)
 {
-    report *r = job->report;
-    sf_lattice lattice = sf_grid_lattice(p->grid);
     const sf_check_report *c = &j->counts;
-    double volume = describe_volume(p->grid), voxel_mm3 = 0;
-    report_fields(r, &lattice, j);
-    report_number(r, "volume_mm3", volume);
+    size_t count = j->finding_count < FINDINGS_SAID ? j->finding_count : FINDINGS_SAID;
+    uint64_t rest = c->island_count + c->overhang_count - count, said = 0;
+    for (size_t i = 0; i < count; i++) {
+        say_finding(r, lattice, j, j->order[i], voxel_mm3);
+        said += j->findings[j->order[i]].volume;
+    }
+    if (rest > 0) {
+        char together[DESCRIBE_MM3_SIZE];
+        report_say(r, "  and %llu that cost%s less, %s together (--json lists %s)",
+                   (unsigned long long)rest, rest == 1 ? "s" : "",
+                   describe_mm3((double)(c->trimmed_voxels - said) * voxel_mm3, together),
+                   c->findings_dropped > 0 ? "65536" : "all");
+    }
+}
+
+static void say_verdict(report *r, const sf_check_report *c)
+{
     if (c->support_free) {
         report_say(r, "It prints without supports.");
         return;
     }
-    voxel_mm3 = c->solid_voxels > 0 ? volume / (double)c->solid_voxels : 0;
     report_say(r,
                "It does not print without supports: %llu overhang%s and %llu island%s; %.3g %% "
                "of its matter cannot print.",
                (unsigned long long)c->overhang_count, c->overhang_count == 1 ? "" : "s",
                (unsigned long long)c->island_count, c->island_count == 1 ? "" : "s",
                100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
-    size_t chosen[FINDINGS_SAID], count = choose_largest(j, chosen);
-    for (size_t i = 0; i < count; i++) {
-        say_finding(r, &lattice, &j->findings[chosen[i]], voxel_mm3);
-    }
-    uint64_t rest = c->island_count + c->overhang_count - count, said = 0;
-    for (size_t i = 0; i < count; i++) {
-        said += j->findings[chosen[i]].volume;
-    }
-    if (rest > 0) {
-        char together[DESCRIBE_MM3_SIZE];
-        report_say(r, "  and %llu smaller one%s, %s together (--json lists %s)",
-                   (unsigned long long)rest, rest == 1 ? "" : "s",
-                   describe_mm3((double)(c->trimmed_voxels - said) * voxel_mm3, together),
-                   c->findings_dropped > 0 ? "65536" : "all");
-    }
+}
+
+void judgement_report(cli_job *job, const part *p, const judgement *j)
+{
+    report *r = job->report;
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    report_fields(r, &lattice, j);
+    report_number(r, "volume_mm3", describe_volume(p->grid));
+    say_verdict(r, &j->counts);
+    say_findings(r, &lattice, j, place_voxel_mm3(p->grid));
+    hollows_report(job, p, &j->hollows);
 }

@@ -4,12 +4,17 @@
 #ifndef DEMO_SF_JUDGEMENT_H
 #define DEMO_SF_JUDGEMENT_H
 
+#include "hollows.h"
 #include "part.h"
 
 typedef struct judgement {
     sf_check_report counts;
     sf_finding *findings;
+    sf_finding_cost *costs;
+    uint32_t *order, *ranks; // findings, the dearest first; the place of each in that order
     size_t finding_count;
+    int priced; // whether costs knows what growing takes
+    hollows hollows;
 } judgement;
 
 // Counts only, of any grid under the part's rule and bed.

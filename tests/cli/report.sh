@@ -6,7 +6,8 @@ needs_json
 run check scene:garden --resolution 96 --json
 for path in lattice.nx lattice.ny lattice.nz lattice.pitch_mm.1 lattice.layer_mm lattice.origin_mm.2 \
     solid_voxels unsupported_voxels trimmed_voxels island_count support_free volume_mm3 \
-    findings.0.kind findings.0.layer findings.0.high_mm.2 rule.kind rule.angle_deg warnings summary; do
+    findings.0.kind findings.0.layer findings.0.high_mm.2 findings.0.grow_voxels \
+    findings.0.trim_voxels findings.0.rank voids.traps voids.cups voids.cup_voxels rule.kind rule.angle_deg warnings summary; do
     value $path >/dev/null
     ok $? "check reports $path"
 done
@@ -21,6 +22,30 @@ while kind=$(value findings.$i.kind 2>/dev/null); do
     i=$((i + 1))
 done
 same $sum "$trimmed" "the findings add up to what a trim takes away"
+ranks=$(j=0; while [ $j -lt $i ]; do value findings.$j.rank; j=$((j + 1)); done | sort -n | uniq | wc -l)
+same $((ranks)) $i "every finding has a rank of its own"
+
+# A box of 20 mm with a box of 10 mm in it that faces inwards, shut or open at the top.
+hollow() {
+    awk -v top="$1" 'BEGIN {
+        split("1 3 2 2 3 4 5 6 7 6 8 7 1 2 5 2 6 5 3 7 4 4 7 8 1 5 3 3 5 7 2 4 6 4 8 6", corner)
+        for (b = 0; b < 2; b++)
+            for (i = 0; i < 8; i++)
+                print "v", b ? 5 + 10 * (i % 2) : 20 * (i % 2),
+                    b ? 5 + 10 * (int(i / 2) % 2) : 20 * (int(i / 2) % 2),
+                    b ? (i < 4 ? 5 : top) : 20 * (i > 3)
+        for (i = 1; i <= 36; i += 3) print "f", corner[i], corner[i + 1], corner[i + 2]
+        for (i = 1; i <= 36; i += 3) print "f", 8 + corner[i], 8 + corner[i + 2], 8 + corner[i + 1]
+    }'
+}
+hollow 15 >shut.obj
+run check shut.obj --pitch 1 --json
+same "$(value voids.traps) $(value voids.cups) $(value voids.trap_voxels)" "1 0 1000" "a trap is named"
+same "$(value voids.list.0.kind) $(value voids.list.0.area_mm2)" "trap 100" "and how wide it is"
+same "$(value voids.list.0.low_mm.2) $(value voids.list.0.high_mm.2)" "5 15" "and where"
+hollow 20 >open.obj
+run check open.obj --pitch 1 --json
+same "$(value voids.traps) $(value voids.cups) $(value voids.list.0.vent_layer)" "0 1 20" "and a cup"
 
 run trim scene:garden --resolution 96 --json -o layers
 same "$(value trim.removed_voxels)" "$trimmed" "trim takes away what check said"

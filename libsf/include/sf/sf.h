@@ -5,6 +5,7 @@
 #define SF_SF_H
 
 #include <sf/base.h>
+#include <sf/finding.h>
 #include <sf/mesh.h>
 #include <sf/support.h>
 #include <sf/voxel.h>

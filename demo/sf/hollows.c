@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Voids of the part that hold what they should not, or pull at the film of a resin printer.
+//
+// A cup is worth a word from a quarter of a square millimetre and half a millimetre of height on:
+// below that the film lets go by itself.
+
+#include "hollows.h"
+
+#include "place.h"
+#include "progress.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VOIDS_MAX = 65536, VOIDS_SAID = 4 };
+
+#define CUP_AREA_MM2 0.25
+#define CUP_HEIGHT_MM 0.5
+
+exit_status hollows_find(cli_job *job, const part *p, hollows *h)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_voids_options options = sf_voids_options_default();
+    memset(h, 0, sizeof *h);
+    h->voids = malloc(VOIDS_MAX * sizeof *h->voids);
+    if (h->voids == NULL) {
+        return job_fail(job, EXIT_RESOURCE, "There is no memory for the voids.");
+    }
+    options.bed_layer = p->bed_layer;
+    options.voids = h->voids;
+    options.void_capacity = VOIDS_MAX;
+    options.cup_area_min =
+        (uint64_t)fmin(ceil(CUP_AREA_MM2 / (lattice.pitch_x_mm * lattice.pitch_y_mm)), 1e18);
+    options.cup_layers_min = (uint32_t)fmin(
+        ceil(CUP_HEIGHT_MM / sf_lattice_layer_height(&lattice, 0)), (double)SF_LAYER_MAX);
+    progress_phase("looking for voids");
+    sf_status status = sf_grid_voids(p->grid, &options, NULL, &job->task, &h->counts, &h->count);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the voids", EXIT_INPUT);
+}
+
+void hollows_release(hollows *h)
+{
+    free(h->voids);
+    h->voids = NULL;
+}
+
+static int is_on_bed(const hollows *h, const sf_void *v)
+{
+    return v->box.z0 == h->counts.bed_layer;
+}
+
+static void report_void(report *r, const sf_lattice *lattice, const hollows *h, const sf_void *v)
+{
+    double low[3], high[3];
+    place_of_box(lattice, &v->box, low, high);
+    report_begin(r, NULL);
+    report_text(r, "kind", v->kind == SF_VOID_TRAP ? "trap" : "cup");
+    report_count(r, "volume_voxels", v->volume);
+    report_count(r, "area_voxels", v->area);
+    report_number(r, "area_mm2", (double)v->area * lattice->pitch_x_mm * lattice->pitch_y_mm);
+    report_numbers(r, "low_mm", low, 3);
+    report_numbers(r, "high_mm", high, 3);
+    report_flag(r, "on_bed", is_on_bed(h, v));
+    if (v->kind == SF_VOID_TRAP) {
+        report_null(r, "vent_layer");
+    } else {
+        report_count(r, "vent_layer", v->vent_layer);
+    }
+    report_end(r);
+}
+
+// The largest trap that is smaller than the last one said, or as large and later; NULL when there
+// is none.
+static const sf_void *next_trap(const hollows *h, const sf_void *last)
+{
+    const sf_void *best = NULL;
+    for (size_t i = 0; i < h->count; i++) {
+        const sf_void *v = &h->voids[i];
+        int later =
+            last == NULL || v->volume < last->volume || (v->volume == last->volume && v > last);
+        if (v->kind == SF_VOID_TRAP && later && (best == NULL || v->volume > best->volume)) {
+            best = v;
+        }
+    }
+    return best;
+}
+
+static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, double voxel_mm3)
+{
+    const sf_void *v = next_trap(h, NULL);
+    report_say(
+        r, "%llu void%s shut, %.4g mm3: what is in %s cannot leave.",
+        (unsigned long long)h->counts.trap_count, h->counts.trap_count == 1 ? " is" : "s are",
+        (double)h->counts.trap_voxels * voxel_mm3, h->counts.trap_count == 1 ? "it" : "them");
+    for (int i = 0; i < VOIDS_SAID && v != NULL; i++, v = next_trap(h, v)) {
+        double low[3], high[3];
+        place_of_box(lattice, &v->box, low, high);
+        report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %.4g mm3%s",
+                   "trap", low[2], low[0], high[0], low[1], high[1], (double)v->volume * voxel_mm3,
+                   is_on_bed(h, v) ? ", until the part is off the bed" : "");
+    }
+}
+
+static void say_cups(report *r, const sf_lattice *lattice, const hollows *h)
+{
+    uint64_t widest = 0;
+    for (size_t i = 0; i < h->count; i++) {
+        const sf_void *v = &h->voids[i];
+        widest = v->kind == SF_VOID_CUP && v->area > widest ? v->area : widest;
+    }
+    report_say(r,
+               "Printed from resin, hanging from the bed, it makes %llu suction cup%s, the widest "
+               "of %.4g mm2.",
+               (unsigned long long)h->counts.cup_count, h->counts.cup_count == 1 ? "" : "s",
+               (double)widest * lattice->pitch_x_mm * lattice->pitch_y_mm);
+}
+
+void hollows_report(cli_job *job, const part *p, const hollows *h)
+{
+    report *r = job->report;
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    double voxel_mm3 = place_voxel_mm3(p->grid);
+    report_begin(r, "voids");
+    report_count(r, "traps", h->counts.trap_count);
+    report_count(r, "trap_voxels", h->counts.trap_voxels);
+    report_count(r, "cups", h->counts.cup_count);
+    report_count(r, "cup_voxels", h->counts.cup_voxels);
+    report_count(r, "small_cups", h->counts.small_cup_count);
+    report_begin_list(r, "list");
+    for (size_t i = 0; i < h->count; i++) {
+        report_void(r, &lattice, h, &h->voids[i]);
+    }
+    report_end(r);
+    report_count(r, "dropped", h->counts.voids_dropped);
+    report_end(r);
+    if (h->counts.trap_count > 0) {
+        say_traps(r, &lattice, h, voxel_mm3);
+    }
+    if (h->counts.cup_count > 0) {
+        say_cups(r, &lattice, h);
+    }
+}

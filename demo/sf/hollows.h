@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Voids of the part that hold what they should not, or pull at the film of a resin printer.
+
+#ifndef DEMO_SF_HOLLOWS_H
+#define DEMO_SF_HOLLOWS_H
+
+#include "part.h"
+
+typedef struct hollows {
+    sf_voids_report counts;
+    sf_void *voids;
+    size_t count;
+} hollows;
+
+// Find them in the part's grid.
+exit_status hollows_find(cli_job *job, const part *p, hollows *h);
+
+// Fields and sentences.
+void hollows_report(cli_job *job, const part *p, const hollows *h);
+
+void hollows_release(hollows *h);
+
+#endif
