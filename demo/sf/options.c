@@ -35,6 +35,7 @@ static const option_entry table[] = {
     {OPTION_SMOOTH, "smooth", 0, "N", "passes of smoothing over a written mesh (default 0)"},
     {OPTION_VIEW, "view", 0, "AZ,EL", "degrees around and above, or iso, below, front, side, top"},
     {OPTION_PIXELS, "pixels", 0, "W,H", "size of the picture (default 1200,900)"},
+    {OPTION_COUNT, "count", 0, "N", "how many answers to give (default 5)"},
     {OPTION_THREADS, "threads", 0, "N", "threads to use (default: all processors)"},
     {OPTION_MEMORY, "memory", 0, "MIB", "most memory for one grid, in MiB (default 4096)"},
     {OPTION_JSON, "json", 0, NULL, "one JSON object on standard output"},
@@ -233,6 +234,10 @@ static int parse_argument(uint32_t bit, const char *text, cli_options *made)
         good = parse_count(text, 1, 1024, &number);
         made->threads = good ? (int)number : 0;
         return good;
+    case OPTION_COUNT:
+        good = parse_count(text, 1, 1000, &number);
+        made->count = good ? (uint32_t)number : 0;
+        return good;
     case OPTION_SMOOTH:
         good = parse_count(text, 0, 100, &number);
         made->smooth = good ? (int)number : 0;
@@ -257,6 +262,7 @@ static cli_options defaults(void)
     made.elevation_deg = views[0].elevation;
     made.pixels[0] = 1200;
     made.pixels[1] = 900;
+    made.count = 5;
     return made;
 }
 

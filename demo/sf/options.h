@@ -31,7 +31,8 @@ enum {
     OPTION_MEMORY = 1 << 15,
     OPTION_VIEW = 1 << 16,
     OPTION_PIXELS = 1 << 17,
-    OPTION_BRIDGE = 1 << 18
+    OPTION_BRIDGE = 1 << 18,
+    OPTION_COUNT = 1 << 28
 };
 
 typedef struct cli_options {
@@ -56,6 +57,7 @@ typedef struct cli_options {
     double memory_mib;
     double azimuth_deg, elevation_deg; // where the camera stands
     uint32_t pixels[2];
+    uint32_t count; // how many answers
 } cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.

@@ -109,16 +109,10 @@ static exit_status make_mesh(cli_job *job, const part *p, sf_mesh **mesh)
     return checked;
 }
 
-exit_status output_save_mesh(cli_job *job, const part *p, const char *path)
+exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path)
 {
-    sf_mesh *mesh = NULL;
     sf_save *save = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
-    exit_status made = make_mesh(job, p, &mesh);
-    if (made != EXIT_GOOD) {
-        sf_mesh_destroy(mesh);
-        return made;
-    }
     progress_phase("writing the mesh");
     sf_status status = sf_save_begin(path, NULL, &save, &fault);
     if (status == SF_OK) {
@@ -130,8 +124,18 @@ exit_status output_save_mesh(cli_job *job, const part *p, const char *path)
             sf_save_abort(save);
         }
     }
-    sf_mesh_destroy(mesh);
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
+exit_status output_save_mesh(cli_job *job, const part *p, const char *path)
+{
+    sf_mesh *mesh = NULL;
+    exit_status status = make_mesh(job, p, &mesh);
+    if (status == EXIT_GOOD) {
+        status = output_write_mesh(job, mesh, path);
+    }
+    sf_mesh_destroy(mesh);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------

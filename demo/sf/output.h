@@ -18,6 +18,9 @@ output_kind output_kind_of(const char *path);
 // Refuse, before any work is done, an -o that a verb cannot write.
 exit_status output_check(cli_job *job, int mesh_allowed);
 
+// Write a mesh as it is.
+exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path);
+
 // Write the surface of the part's grid, in the axes of the input, or its slices.
 exit_status output_save_mesh(cli_job *job, const part *p, const char *path);
 exit_status output_save_stack(cli_job *job, const part *p, const char *path);

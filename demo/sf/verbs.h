@@ -10,6 +10,7 @@ exit_status verb_info(cli_job *job);
 exit_status verb_check(cli_job *job);
 exit_status verb_trim(cli_job *job);
 exit_status verb_slice(cli_job *job);
+exit_status verb_orient(cli_job *job);
 exit_status verb_render(cli_job *job);
 exit_status verb_run(cli_job *job);
 

@@ -14,7 +14,7 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "check x --rule cone" "check x --rule box3 --angle 30" "check x --scale -1" \
     "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
     "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
-    "run x -o y.png" "info x --pitch 1" "check scene:garden --bed 1000" \
+    "run x -o y.png" "orient x -o y.png" "orient x --count 0" "orient x --pitch 1" "info x --pitch 1" "check scene:garden --bed 1000" \
     "check scene:garden --up +x" "check scene:garden --pitch 1,2"; do
     # shellcheck disable=SC2086
     exits 2 $arguments
@@ -24,7 +24,7 @@ exits 2
 exits 2 frobnicate
 exits 0 --help
 exits 0 --version
-for verb in run info check trim slice render; do
+for verb in run info check trim slice orient render; do
     exits 0 $verb --help
 done
 
@@ -45,6 +45,7 @@ for file in text.stl nan.obj index.obj none.stl point.obj empty.stl missing.stl 
         says_one_line
     done
 done
+exits 3 orient scene:garden
 exits 3 check text.stl
 grep -q 'line 5' stderr
 ok $? "the sentence names the line"

@@ -5,7 +5,7 @@
 run trim scene:garden --resolution 24 -o part.stl
 run trim scene:garden --resolution 24 -o part.obj
 run slice scene:garden --resolution 24 -o layers
-for verb in run info check trim slice render; do
+for verb in run info check trim slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]

@@ -76,6 +76,18 @@ same "$(value nonmanifold_edges)" 0 "and a manifold"
 run slice part.stl --pitch 1 -o again --json
 same "$(value solid_voxels)" "$kept" "the mesh becomes the same voxels on the same lattice"
 same "$(value layers.0.components)" 1 "slice counts the pieces of a layer"
+
+run orient part.stl --resolution 32 --count 2 --json -o turned.stl
+for path in orientations.1.up.2 orientations.0.matrix.8 orientations.0.shift_mm.2 given.margin_deg \
+    orientations.0.trimmed_mm3 orientations.0.height_mm orientations.0.unsupported_mm2 output; do
+    value $path >/dev/null
+    ok $? "orient reports $path"
+done
+high=$(value orientations.0.height_mm)
+run info turned.stl --json
+awk -v low="$(value bounds_mm.low.2)" -v top="$(value bounds_mm.high.2)" -v high="$high" \
+    'BEGIN { exit !(low * low < 1e-6 && (top - high) ^ 2 < 1e-6) }'
+ok $? "and writes the mesh that way up, on the bed"
 run check nothing.stl --json
 same "$(value error.exit)" 3 "a failure is a JSON object too"
 finish

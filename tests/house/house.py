@@ -26,7 +26,7 @@ LONGER_FUNCTIONS = {}
 # A room includes only rooms of lower floors and itself. The public headers stand on the floors of
 # the rooms whose contracts they are; <sf/voxel.h> is the contract of simd and of voxel both.
 FLOORS = {"base": 0, "simd": 1, "voxel": 2, "support": 3, "mesh": 3, "sculpt": 4, "balance": 4,
-          "grade": 4, "io": 5, "link": 5}
+          "grade": 4, "orient": 4, "io": 5, "link": 5}
 # Rooms with more than one public header.
 HEADER_ROOMS = {"finding": "support", "rule": "support"}
 SHARED_CONTRACT = {"simd": ["voxel"]}

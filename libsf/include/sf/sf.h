@@ -7,6 +7,7 @@
 #include <sf/base.h>
 #include <sf/finding.h>
 #include <sf/mesh.h>
+#include <sf/orient.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
 
