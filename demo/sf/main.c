@@ -48,7 +48,8 @@ static const struct {
     {{"orient", "which way up does it print best, and why?", "FILE", 0,
       OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |
           OPTION_ANGLE | OPTION_RULE | HOST_OPTIONS | OPTION_OUTPUT | OPTION_COUNT,
-      "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n"},
+      "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n",
+      "the mesh, turned the best way (.stl .obj .ply)"},
      verb_orient},
     {{"render", "a picture of the part, what cannot print in red", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_VIEW | OPTION_PIXELS,

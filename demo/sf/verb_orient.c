@@ -50,7 +50,7 @@ static void report_fields(cli_job *job, const answer *a)
     if (asked->rule == SF_RULE_BOX3) {
         report_null(r, "angle_deg");
     } else {
-        report_number(r, "angle_deg", asked->angle_deg);
+        report_number(r, "angle_deg", options_angle_deg(asked));
     }
     report_end(r);
     report_orientation(r, "given", &a->given);
@@ -138,7 +138,7 @@ static exit_status find(cli_job *job, const part *p, answer *a)
     const cli_options *asked = &job->options;
     sf_orient_options how = sf_orient_options_default();
     how.rule = asked->rule;
-    how.angle_rad = asked->angle_deg / DEGREES;
+    how.angle_rad = asked->angle_rad;
     how.fill = asked->fill;
     how.resolution = asked->resolution;
     how.fine_count = asked->count;
