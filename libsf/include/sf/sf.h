@@ -8,6 +8,7 @@
 #include <sf/finding.h>
 #include <sf/mesh.h>
 #include <sf/orient.h>
+#include <sf/preserve.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
 
