@@ -52,4 +52,10 @@ sf_status sfi_cover_greedy(sfi_cover *cover);
 // served by one of the chosen; each takes the one that has to be raised least.
 void sfi_cover_assign(sfi_cover *cover, uint8_t *demands);
 
+// picked = carriers of all of `rest` that any carrier reaches, word by word: for each voxel the
+// first carrier in the order straight below, then by rings outwards. rest is used up; fresh is
+// scratch. For rules that are elements.
+sf_status sfi_cover_priority(const sf_element *element, sf_slice rest, sf_slice carriers,
+                             sf_slice picked, sf_slice fresh, sf_slice spread);
+
 #endif
