@@ -32,6 +32,7 @@ void *bench_memory(size_t size);
 void bench_trim(void);
 void bench_trim_box(void);
 void bench_morphology(void);
+void bench_preserve(void);
 void bench_sums(void);
 void bench_meshes(void);
 

@@ -137,6 +137,7 @@ int main(int argc, char **argv)
     bench_trim();
     bench_trim_box();
     bench_morphology();
+    bench_preserve();
     bench_meshes();
     bench_sums();
     if (figure_count == 0) {
