@@ -183,8 +183,10 @@ static sf_status find_free(sfi_descent *d, uint32_t k)
     memcpy(d->below, front->slack, bytes);
     sfi_demand_raise(d, d->below, kept);
     d->cover.gain = sfi_slack_gain(&terms->rule, k - 1);
-    sfi_slack_spread(&terms->rule, k - 1, element, d->below, d->reached, d->lattice.nx,
-                     d->lattice.ny);
+    // What has a code below lies within both; the slices are free until their turn comes.
+    sfi_front below = {d->s[SFI_DESCENT_FREE], d->below}, reached = {one, d->reached};
+    SF_TRY(sf_slice_or(below.alive, front->alive, kept));
+    sfi_slack_step(&terms->rule, k - 1, element, &below, want, SFI_NO_SLICE, reached);
     sfi_demand_select(d, want, d->reached, d->s[SFI_DESCENT_FREE]);
     if (exempt.words != NULL) {
         sfi_demand_select(d, want, NULL, one);
