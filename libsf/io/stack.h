@@ -4,6 +4,7 @@
 #ifndef SF_IO_STACK_H
 #define SF_IO_STACK_H
 
+#include "io/emitter.h"
 #include "io/picture.h"
 
 #define SFI_STACK_DOCUMENT "stack.json"
@@ -22,6 +23,10 @@ void sfi_stack_layer_name(sfi_picture_kind kind, uint32_t layer, char name[SFI_S
 
 // Whether a file of this name is part of a stack.
 int sfi_stack_owns(const char *name);
+
+// A list of numbers; the line of a document that says where its grid lies, comma and all.
+void sfi_stack_emit_numbers(sfi_emitter *out, const double *values, size_t count);
+void sfi_stack_emit_lattice(sfi_emitter *out, const sf_lattice *lattice);
 
 // Report `done` layers of `total`.
 void sfi_stack_progress(sf_task *task, uint32_t done, uint32_t total);

@@ -53,7 +53,7 @@ static double degrees(double angle_rad)
     return fabs(rounded - exact) < 1e-12 ? rounded : exact;
 }
 
-static void emit_numbers(sfi_emitter *out, const double *values, size_t count)
+void sfi_stack_emit_numbers(sfi_emitter *out, const double *values, size_t count)
 {
     sfi_emit_text(out, "[");
     for (size_t i = 0; i < count; i++) {
@@ -63,7 +63,7 @@ static void emit_numbers(sfi_emitter *out, const double *values, size_t count)
     sfi_emit_text(out, "]");
 }
 
-static void emit_lattice(sfi_emitter *out, const sf_lattice *lattice)
+void sfi_stack_emit_lattice(sfi_emitter *out, const sf_lattice *lattice)
 {
     double pitch[2] = {lattice->pitch_x_mm, lattice->pitch_y_mm};
     sfi_emit_text(out, "  \"lattice\": {\n    \"nx\": ");
@@ -73,16 +73,16 @@ static void emit_lattice(sfi_emitter *out, const sf_lattice *lattice)
     sfi_emit_text(out, ",\n    \"nz\": ");
     sfi_emit_whole(out, lattice->nz);
     sfi_emit_text(out, ",\n    \"pitch_mm\": ");
-    emit_numbers(out, pitch, 2);
+    sfi_stack_emit_numbers(out, pitch, 2);
     if (lattice->heights_mm != NULL) {
         sfi_emit_text(out, ",\n    \"heights_mm\": ");
-        emit_numbers(out, lattice->heights_mm, lattice->nz);
+        sfi_stack_emit_numbers(out, lattice->heights_mm, lattice->nz);
     } else {
         sfi_emit_text(out, ",\n    \"layer_mm\": ");
         sfi_emit_number(out, lattice->layer_mm);
     }
     sfi_emit_text(out, ",\n    \"origin_mm\": ");
-    emit_numbers(out, lattice->origin_mm, 3);
+    sfi_stack_emit_numbers(out, lattice->origin_mm, 3);
     sfi_emit_text(out, "\n  },\n");
 }
 
@@ -105,7 +105,7 @@ static void emit_rule(sfi_emitter *out, const sf_stack_info *info)
     if (info->bridge_span_mm > 0) {
         double bridge[2] = {info->bridge_span_mm, info->bridge_anchor_mm};
         sfi_emit_text(out, ",\n    \"bridge_mm\": ");
-        emit_numbers(out, bridge, 2);
+        sfi_stack_emit_numbers(out, bridge, 2);
     }
     sfi_emit_text(out, ",\n    \"bed_layer\": ");
     if (info->bed_layer == SF_BED_AUTO) {
@@ -125,7 +125,7 @@ static sf_status write_document(const sf_lattice *lattice, const sf_stack_info *
     int bridged = info != NULL && info->has_rule && info->bridge_span_mm > 0;
     sfi_emit_whole(&out, bridged ? SFI_STACK_VERSION_BRIDGED : SFI_STACK_VERSION);
     sfi_emit_text(&out, ",\n  \"units\": \"mm\",\n");
-    emit_lattice(&out, lattice);
+    sfi_stack_emit_lattice(&out, lattice);
     emit_rule(&out, info);
     sfi_emit_text(&out, "  \"layers\": {\n    \"pattern\": \"");
     sfi_emit_text(&out, kind == SFI_PICTURE_PNG ? SFI_STACK_PATTERN_PNG : SFI_STACK_PATTERN_PBM);

@@ -7,61 +7,10 @@
 
 #include "judge.h"
 
+#include "model.h"
+
 #define RESOLUTION 256
 #define FLIPS "--corrupt 1000 --seed 11"
-
-static char models[512];
-
-static sf_mesh *read_model(const char *name)
-{
-    char path[1024];
-    sf_file *file = NULL;
-    sf_mesh *mesh = NULL, *merged = NULL;
-    snprintf(path, sizeof path, "%s/%s", models, name);
-    CHECK_EQ(sf_file_open(path, NULL, &file, NULL), SF_OK);
-    if (file != NULL) {
-        CHECK_EQ(sf_mesh_read(sf_file_source(file), SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL),
-                 SF_OK);
-        sf_file_close(file);
-    }
-    if (mesh != NULL) {
-        CHECK_EQ(sf_mesh_merge(sf_mesh_get_view(mesh), NULL, &merged), SF_OK);
-        sf_mesh_destroy(mesh);
-    }
-    return merged;
-}
-
-// Cubes, one empty column around and none below.
-static sf_lattice lattice_around(sf_mesh_view mesh)
-{
-    double low[3], high[3], longest = 0.0;
-    CHECK_EQ(sf_mesh_bounds(mesh, low, high), SF_OK);
-    for (int i = 0; i < 3; i++) {
-        longest = high[i] - low[i] > longest ? high[i] - low[i] : longest;
-    }
-    double pitch = longest / RESOLUTION;
-    uint32_t counts[3];
-    for (int i = 0; i < 3; i++) {
-        counts[i] = (uint32_t)ceil((high[i] - low[i]) / pitch - 1e-6) + (i < 2 ? 2 : 0);
-    }
-    sf_lattice lattice = {
-        counts[0], counts[1], counts[2], pitch,
-        pitch,     pitch,     NULL,      {low[0] - pitch, low[1] - pitch, low[2]}};
-    return lattice;
-}
-
-static sf_grid *voxelize(const char *name)
-{
-    sf_mesh *mesh = read_model(name);
-    sf_grid *grid = NULL;
-    if (mesh != NULL) {
-        sf_lattice lattice = lattice_around(sf_mesh_get_view(mesh));
-        CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
-        CHECK_EQ(sf_grid_voxelize(grid, sf_mesh_get_view(mesh), NULL, NULL, NULL, NULL), SF_OK);
-        sf_mesh_destroy(mesh);
-    }
-    return grid;
-}
 
 static void judge_under(const sf_grid *shape, int which)
 {
@@ -88,7 +37,7 @@ static void judge_model(const char *name)
         SKIP("SF_DATA is not set");
     }
     snprintf(models, sizeof models, "%s", getenv("SF_DATA"));
-    sf_grid *grid = voxelize(name);
+    sf_grid *grid = voxelize(name, RESOLUTION);
     for (int i = 0; grid != NULL && i < VERIFIED_RULES; i += 2) {
         judge_under(grid, i);
     }

@@ -11,6 +11,7 @@
 #ifndef SF_IO_H
 #define SF_IO_H
 
+#include <sf/certificate.h>
 #include <sf/mesh.h>
 #include <sf/support.h>
 
@@ -218,6 +219,20 @@ SF_API SF_CHECKED sf_status sf_stack_write(const sf_grid *grid, const sf_stack_i
 SF_API SF_CHECKED sf_status sf_stack_read(sf_folder folder, const sf_allocator *allocator,
                                           sf_task *task, sf_grid **grid, sf_stack_info *info,
                                           sf_fault *fault);
+
+/**
+ * Write a certificate as JSON, for sf-verify and whoever else wants to check it.
+ *
+ * docs/certificate.md says what each field holds. The last one is the SHA-256 of every byte before
+ * it, so the file is to be kept as it is: the same JSON in other words is refused.
+ *
+ * @param certificate  the certificate
+ * @param sink         where the bytes go; on failure it may have had some
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
+ * @cost the length of the file; 12 KiB of stack, no memory.   @threads any, on distinct sinks.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_certificate_write(const sf_certificate *certificate, sf_sink sink);
 
 /**
  * Write a colour picture as PNG, eight bits of red, green and blue a pixel.
