@@ -36,9 +36,11 @@ static const struct {
       NULL},
      verb_check},
     {{"trim", "take away what cannot print without supports", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH |
+          OPTION_CERTIFICATE,
       "  sf trim part.stl -o printable.stl\n  sf trim part.stl --resolution 512 -o layers\n"
-      "  sf trim layers -o printable.ply\n",
+      "  sf trim layers -o printable.ply\n"
+      "  sf trim part.stl -o layers --certificate layers.json\n",
       "a mesh (.stl .obj .ply), or a folder for layers"},
      verb_trim},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,

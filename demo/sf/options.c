@@ -26,6 +26,7 @@ static const option_entry table[] = {
     {OPTION_RULE, "rule", 0, "RULE",
      "octagon (default), slack, disk, or box3, which takes no angle"},
     {OPTION_BRIDGE, "bridge", 0, "MM[,ANCHOR]", "gaps that may be spanned between two held ends"},
+    {OPTION_CERTIFICATE, "certificate", 0, "FILE", "a proof of the result, for sf-verify"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
     {OPTION_UNITS, "units", 0, "UNIT", "unit of the input: mm (default), cm, m, in"},
     {OPTION_SCALE, "scale", 0, "F", "make the part F times as large"},
@@ -197,6 +198,9 @@ static int parse_argument(uint32_t bit, const char *text, cli_options *made)
     switch (bit) {
     case OPTION_OUTPUT:
         made->output = text;
+        return text[0] != '\0';
+    case OPTION_CERTIFICATE:
+        made->certificate = text;
         return text[0] != '\0';
     case OPTION_PITCH:
         return parse_pitch(text, made);

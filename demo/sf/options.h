@@ -32,14 +32,16 @@ enum {
     OPTION_VIEW = 1 << 16,
     OPTION_PIXELS = 1 << 17,
     OPTION_BRIDGE = 1 << 18,
-    OPTION_COUNT = 1 << 28
+    OPTION_CERTIFICATE = 1 << 19,
+    OPTION_COUNT = 1 << 20
 };
 
 typedef struct cli_options {
     uint32_t given; // OPTION_* that were on the command line
     const char *input;
     const char *output;
-    double pitch_mm[3]; // x, y, layer
+    const char *certificate; // file to write, or NULL
+    double pitch_mm[3];      // x, y, layer
     uint32_t resolution;
     double angle_rad; // of the command line or of a stack; options_angle_deg() shows it
     sf_rule_kind rule;

@@ -275,6 +275,12 @@ exit_status part_make_rule(cli_job *job, part *p)
         return job_fail_call(job, status, &fault, "--bridge", EXIT_USAGE);
     }
     p->has_rule = 1;
+    if (job->options.certificate != NULL) {
+        status = sf_grid_clone(p->grid, NULL, &p->before);
+        if (status != SF_OK) {
+            return job_fail_call(job, status, NULL, "the certificate", EXIT_RESOURCE);
+        }
+    }
     return choose_bed(job, p, &lattice);
 }
 
@@ -287,6 +293,7 @@ void part_release(part *p)
 {
     sf_mesh_destroy(p->mesh);
     sf_grid_destroy(p->grid);
+    sf_grid_destroy(p->before);
     free(p->table);
     memset(p, 0, sizeof *p);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sf trim: take away what cannot print without supports, and as little as that.
 
+#include "certify.h"
 #include "describe.h"
 #include "output.h"
 #include "progress.h"
@@ -21,6 +22,9 @@ static exit_status trim(cli_job *job, part *p)
     status = trim_part(job, p, &after);
     if (status == EXIT_GOOD && job->options.output != NULL) {
         status = output_save(job, p, job->options.output);
+    }
+    if (status == EXIT_GOOD) {
+        status = certify(job, p, SF_OPERATION_TRIM, NULL);
     }
     if (status != EXIT_GOOD) {
         return status;

@@ -1,0 +1,39 @@
+# Why: the proof that travels with a result is made by the program and checked by another one. `sf trim
+# --certificate` writes it whole or not at all, sf-verify takes it for that stack and no other.
+. "$1"
+if [ -z "${SF_VERIFY:-}" ]; then
+    echo "1..0 # SKIP sf-verify is not built"
+    exit 0
+fi
+
+# verified N STACK CERTIFICATE: sf-verify exits with N.
+verified() {
+    exit=0
+    # shellcheck disable=SC2086
+    $wrapper "$SF_VERIFY" $2 $3 >stdout 2>stderr || exit=$?
+    [ "$exit" -eq "$1" ]
+    ok $? "sf-verify $2 $3 exits with $1: $(cat stdout stderr | head -1)"
+}
+
+for rule in "--rule box3" "--angle 50" "--rule disk --angle 75" "--rule slack --angle 40 --bridge 6,1.5"; do
+    # shellcheck disable=SC2086
+    exits 0 trim scene:garden --resolution 48 $rule -o layers --certificate proof.json
+    verified 0 layers proof.json
+done
+cp proof.json other.json
+exits 0 trim scene:garden --resolution 48 --angle 50 -o layers --certificate proof.json
+verified 1 layers other.json
+sed 's/"trim"/"grow"/' proof.json >changed.json
+verified 1 layers changed.json
+: >empty.json
+verified 3 layers empty.json
+verified 3 layers missing.json
+verified 3 missing proof.json
+exits 0 trim layers --angle 50 -o again --certificate again.json
+verified 0 again again.json
+exits 0 trim scene:garden --resolution 24 -o part.stl --certificate part.json
+exits 2 check scene:garden --certificate part.json
+exits 4 trim scene:garden --resolution 24 --certificate nowhere/part.json
+[ ! -e nowhere ] && [ -z "$(ls | grep tmp)" ]
+ok $? "nothing half-written"
+finish
