@@ -77,8 +77,8 @@ static int load(const char *folder) {
 }
 // Units that a voxel of layer k pays to carry one that is (dx, dy) off in the layer above; or -1.
 static int price(int dx, int dy, int k) {
-    double *s = step[k], x = abs(dx), y = abs(dy), up = kind == 's' ? 255 : 0;
-    double rx = floor((s[2] + up) / 256) / 65536, ry = floor((s[3] + up) / 256) / 65536;
+    double *s = step[k], x = abs(dx), y = abs(dy), q = kind == 's' ? 0x1p24 : -256; // up or down
+    double rx = ceil(s[2] / q) * q * 0x1p-24, ry = ceil(s[3] / q) * q * 0x1p-24;
     int may = x <= rx && y <= ry && x * x * ry * ry + y * y * rx * rx <= rx * rx * ry * ry;
     may = kind == 's' ? may || (x < 3 && y < 3 && x + y < 4) : may;
     may = strchr("bo", kind) ? x <= s[4] && y <= s[4] && x + y <= s[5] : may;

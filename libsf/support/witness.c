@@ -113,7 +113,7 @@ static sf_status note_gaps_along(sfi_witness *w, const direction *d, sf_slice so
         const uint64_t *row = sfi_slice_row(hanging, y);
         for (size_t i = 0; i < sfi_row_words(solid.width); i++) {
             for (uint64_t left = row[i]; left != 0; left &= left - 1) {
-                int64_t x = (int64_t)i * 64 + sfi_low_zeros(left);
+                int64_t x = (int64_t)i * 64 + sfi_lowest_bit(left);
                 sf_certificate_span gap = gap_at(d, solid, own, k, x, y);
                 if (gap.length > 0) {
                     SF_TRY(add_span(w, &gap));
