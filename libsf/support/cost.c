@@ -45,7 +45,7 @@ typedef struct costing {
     sf_task *task;
     sfi_carrier carrier;
     sfi_front below, front; // S as if it were carried; what of the layer is
-    sfi_prices prices;
+    sfi_footings prices;
     sfi_props props;
     sf_run *runs, *own; // of a layer; of one region
     uint32_t *next_run;
@@ -164,8 +164,8 @@ static sf_status prepare(costing *c, sf_grid *added)
     SF_TRY(sfi_carrier_create(rule, nx, ny, a, &c->carrier));
     SF_TRY(sfi_front_create(rule, nx, ny, a, &c->below));
     SF_TRY(sfi_front_create(rule, nx, ny, a, &c->front));
-    SF_TRY(sfi_prices_create(c->grid, c->terms, c->bed, c->top > 0 ? c->top - 1 : 0, a, c->task,
-                             &c->prices));
+    SF_TRY(sfi_footings_create(c->grid, c->terms, c->bed, c->top > 0 ? c->top - 1 : 0, a, c->task,
+                               &c->prices));
     return sfi_props_create(&c->props, rule, &c->prices, &c->lattice, a, added);
 }
 
@@ -187,7 +187,7 @@ static void release(costing *c)
 {
     const sf_allocator *a = &c->allocator;
     sfi_props_destroy(&c->props);
-    sfi_prices_destroy(&c->prices, a);
+    sfi_footings_destroy(&c->prices, a);
     sfi_front_destroy(&c->front, &c->terms->rule, a);
     sfi_front_destroy(&c->below, &c->terms->rule, a);
     sfi_carrier_destroy(&c->carrier, a);

@@ -156,9 +156,9 @@ static sf_status find_places(sfi_props *props, uint32_t k, const sf_rect *rect, 
     uint32_t x1 = grown(rect->x1, e->half_width[0], need.width);
     props->count = 0;
     for (uint32_t y = y0; y < y1; y++) {
-        const uint16_t *prices = sfi_price_row(props->prices, k, y);
+        const uint16_t *prices = sfi_footing_row(props->prices, k, y);
         for (uint32_t x = x0; x < x1; x++) {
-            uint32_t covers = prices[x] == SFI_PRICE_NONE ? 0 : carried_by(need, x, y, e, 0);
+            uint32_t covers = prices[x] == SFI_FOOTING_NONE ? 0 : carried_by(need, x, y, e, 0);
             if (covers == 0) {
                 continue;
             }
@@ -233,10 +233,10 @@ static int can_carry(const sfi_props *props, uint32_t k, const sf_run *run, cons
         sf_rect rect = window(props->need, x, run->y, e);
         int found = 0;
         for (uint32_t row = rect.y0; row < rect.y1 && !found; row++) {
-            const uint16_t *prices = sfi_price_row(props->prices, k, row);
+            const uint16_t *prices = sfi_footing_row(props->prices, k, row);
             uint32_t x0, x1;
             for (columns(props->need, x, run->y, row, e, &x0, &x1); x0 < x1 && !found; x0++) {
-                found = prices[x0] != SFI_PRICE_NONE;
+                found = prices[x0] != SFI_FOOTING_NONE;
             }
         }
         if (!found) {
@@ -265,7 +265,7 @@ static sf_status prop_down(sfi_props *props, uint32_t k, sf_rect rect, uint64_t 
     uint64_t sum = 0;
     for (uint32_t layer = k; rect.x0 < rect.x1; layer--) {
         sf_rect below;
-        SF_TRY(sfi_price_element(props->rule, layer, &element));
+        SF_TRY(sfi_footing_element(props->rule, layer, &element));
         SF_TRY(find_places(props, layer, &rect, &element, &region));
         sum += take_places(props, layer, &element, &below);
         sf_slice swap = props->need;
@@ -285,7 +285,7 @@ sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t coun
     if (k <= props->prices->bed) {
         return SF_OK;
     }
-    SF_TRY(sfi_price_element(props->rule, k - 1, &element));
+    SF_TRY(sfi_footing_element(props->rule, k - 1, &element));
     if (!can_carry_all(props, k - 1, runs, count, &element)) {
         return SF_OK;
     }
@@ -315,7 +315,7 @@ static sf_slice make_slice(const sf_lattice *lattice, const sf_allocator *alloca
     return slice;
 }
 
-sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_prices *prices,
+sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_footings *prices,
                            const sf_lattice *lattice, const sf_allocator *allocator, sf_grid *added)
 {
     sfi_props made = {.rule = rule, .prices = prices, .allocator = *allocator, .added = added};

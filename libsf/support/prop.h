@@ -4,7 +4,7 @@
 #ifndef SF_SUPPORT_PROP_H
 #define SF_SUPPORT_PROP_H
 
-#include "support/price.h"
+#include "support/footing.h"
 
 // One place that may be added, while a layer is covered.
 typedef struct sfi_prop_place {
@@ -16,7 +16,7 @@ typedef struct sfi_prop_place {
 // What propping works with. The slices have no voxel between calls, but after a call that failed.
 typedef struct sfi_props {
     const sf_rule *rule;
-    const sfi_prices *prices;
+    const sfi_footings *prices;
     sf_allocator allocator;
     sf_slice need, next; // what is to be carried, in this layer and in the one below
     sfi_prop_place *places;
@@ -25,7 +25,7 @@ typedef struct sfi_props {
 } sfi_props;
 
 // Memory for the slices; SF_ERR_MEMORY. Destroying what is all zero does nothing.
-sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_prices *prices,
+sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_footings *prices,
                            const sf_lattice *lattice, const sf_allocator *allocator,
                            sf_grid *added);
 void sfi_props_destroy(sfi_props *props);
