@@ -10,6 +10,7 @@
 #include <sf/mesh.h>
 #include <sf/orient.h>
 #include <sf/preserve.h>
+#include <sf/repair.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
 
