@@ -35,5 +35,6 @@ void bench_morphology(void);
 void bench_preserve(void);
 void bench_sums(void);
 void bench_meshes(void);
+void bench_repair(void);
 
 #endif

@@ -140,6 +140,7 @@ int main(int argc, char **argv)
     bench_preserve();
     bench_meshes();
     bench_sums();
+    bench_repair();
     if (figure_count == 0) {
         fprintf(stderr, "sf-bench: no job begins with '%s'\n", wanted);
         return 2;

@@ -52,6 +52,16 @@ static void add_disk(sf_slice slice, double x, double y, double radius)
     }
 }
 
+static void add_ball(sf_grid *grid, double x, double y, double z, double radius)
+{
+    for (uint32_t k = 0; k < sf_grid_lattice(grid).nz; k++) {
+        double dz = k + 0.5 - z, rest = radius * radius - dz * dz;
+        if (rest > 0) {
+            add_disk(sf_grid_slice(grid, k), x, y, sqrt(rest));
+        }
+    }
+}
+
 sf_grid *scene_balls(uint32_t n)
 {
     sf_grid *grid = cube(n);
@@ -60,13 +70,23 @@ sf_grid *scene_balls(uint32_t n)
         for (int axis = 0; axis < 3; axis++) {
             at[axis] = n * random_unit();
         }
-        for (uint32_t k = 0; k < n; k++) {
-            double dz = k + 0.5 - at[2], rest = radius * radius - dz * dz;
-            if (rest > 0) {
-                add_disk(sf_grid_slice(grid, k), at[0], at[1], sqrt(rest));
-            }
-        }
+        add_ball(grid, at[0], at[1], at[2], radius);
     }
+    return grid;
+}
+
+sf_grid *scene_four_balls(uint32_t n)
+{
+    static const double balls[4][4] = {{0.29, 0.29, 0.21, 0.22},
+                                       {0.68, 0.33, 0.39, 0.215},
+                                       {0.33, 0.7, 0.64, 0.22},
+                                       {0.7, 0.7, 0.78, 0.215}};
+    sf_grid *grid = cube(n);
+    for (int i = 0; i < 4; i++) {
+        add_ball(grid, n * balls[i][0], n * balls[i][1], n * balls[i][2], n * balls[i][3]);
+    }
+    sf_rect plate = {n / 16, n / 16, n - n / 16, n - n / 16};
+    bench_must(sf_slice_fill(sf_grid_slice(grid, 0), plate, 1));
     return grid;
 }
 
