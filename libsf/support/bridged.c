@@ -117,7 +117,7 @@ static sf_status find_additions(probe *p, uint32_t k)
         const uint64_t *row = sfi_slice_row(slice, y), *given = sfi_slice_row(drawn, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~given[i]; w != 0; w &= w - 1) {
-                SF_TRY(note(p, k, (uint32_t)i * 64 + sfi_low_zeros(w), y));
+                SF_TRY(note(p, k, (uint32_t)i * 64 + sfi_lowest_bit(w), y));
             }
         }
     }

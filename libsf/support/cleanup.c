@@ -50,7 +50,7 @@ static void thin_layer(sf_slice slice, sf_slice drawn, sf_slice above, sf_slice 
         const uint64_t *given = sfi_slice_row(drawn, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~given[i]; w != 0; w &= w - 1) {
-                uint32_t x = (uint32_t)i * 64 + sfi_low_zeros(w);
+                uint32_t x = (uint32_t)i * 64 + sfi_lowest_bit(w);
                 if (!is_needed(slice, above, exempt, e, x, y)) {
                     row[i] &= ~(w & (~w + 1));
                 }

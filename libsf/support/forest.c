@@ -100,7 +100,7 @@ static sf_status begin_word(forest *f, sfi_layer *layer, uint32_t y, size_t i, u
     // that depends on what is demanded of it, which nobody knows yet.
     const int16_t *prices = f->chooser.codes == NULL ? sfi_price_row(f->price, k, y) : NULL;
     for (; w != 0; w &= w - 1) {
-        uint32_t b = sfi_low_zeros(w), x = (uint32_t)i * 64 + b;
+        uint32_t b = sfi_lowest_bit(w), x = (uint32_t)i * 64 + b;
         uint32_t at = (uint32_t)sfi_plane_at(&f->chooser.plane, x, y);
         int16_t least = prices != NULL ? prices[x] : SFI_PRICE_NONE;
         SF_TRY(sfi_layer_add(job, layer, at, sfi_job_remove(job, k, x, y), least,

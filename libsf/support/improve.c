@@ -34,7 +34,7 @@ static uint64_t sum_costs(const uint8_t *costs, const uint64_t *bits, size_t wor
     uint64_t sum = 0;
     for (size_t i = 0; i < words; i++) {
         for (uint64_t w = bits[i]; w != 0; w &= w - 1) {
-            sum += costs == NULL ? 1 : costs[i * 64 + sfi_low_zeros(w)];
+            sum += costs == NULL ? 1 : costs[i * 64 + sfi_lowest_bit(w)];
         }
     }
     return sum;

@@ -84,7 +84,7 @@ static sf_status carry_layer(sfi_path_finder *f, const sfi_price *price, uint32_
         const uint64_t *row = sfi_slice_row(slice, y), *rooted = sfi_slice_row(roots, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~rooted[i]; w != 0; w &= w - 1) {
-                sfi_path_cell at = {k, (uint32_t)i * 64 + sfi_low_zeros(w), y};
+                sfi_path_cell at = {k, (uint32_t)i * 64 + sfi_lowest_bit(w), y};
                 SF_TRY(carry_one(f, price, at, result));
             }
         }

@@ -152,7 +152,7 @@ static sf_status reroute_layer(router *r, uint32_t k)
         const uint64_t *row = sfi_slice_row(slice, y), *given = sfi_slice_row(drawn, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~given[i]; w != 0; w &= w - 1) {
-                sfi_path_cell u = {k, (uint32_t)i * 64 + sfi_low_zeros(w), y};
+                sfi_path_cell u = {k, (uint32_t)i * 64 + sfi_lowest_bit(w), y};
                 // A path of this layer's may have taken it away.
                 if (is_addition(r, u.k, u.x, u.y)) {
                     SF_TRY(reroute_one(r, &u));

@@ -199,7 +199,7 @@ hold_all(const builder *b, uint32_t k, sf_slice what, sf_slice free, const sf_el
         for (size_t i = 0; i < sfi_row_words(what.width); i++) {
             uint64_t w = spared != NULL ? row[i] & ~spared[i] : row[i];
             for (; w != 0; w &= w - 1) {
-                SF_TRY(hold(b, e, k, (uint32_t)i * 64 + sfi_low_zeros(w), y));
+                SF_TRY(hold(b, e, k, (uint32_t)i * 64 + sfi_lowest_bit(w), y));
             }
         }
     }
