@@ -6,10 +6,10 @@
 // (c.a)|b|. Angles are added by multiplying these numbers and counting turns, so that a whole
 // number of turns is known exactly, and one arc tangent does for all triangles.
 //
-// num is computed in integers. Where it is 0, q lies in the triangle's plane, and the sign of what
-// follows depends on the side to which q is taken to lie: the side of the crossings' rule, beyond
-// in x, then in y, then in z. So triangles and crossings agree, and a hole that lies in a plane of
-// voxel centres is filled or not as one, instead of being sprinkled.
+// num is computed in integers where it is small. Where it is 0, q lies in the triangle's plane, and
+// the sign of what follows depends on the side to which q is taken to lie: the side of the
+// crossings' rule, beyond in x, then in y, then in z. So triangles and crossings agree, and a hole
+// that lies in a plane of voxel centres is filled or not as one, instead of being sprinkled.
 //
 // Source: A. van Oosterom, J. Strackee, "The solid angle of a plane triangle", 1983.
 
@@ -56,11 +56,17 @@ double sfi_angle_turns(const sfi_angle *a)
     return (double)a->turns + part / (2 * PI);
 }
 
+static double denominator_of(const double *u, const double *v, const double *w, double a, double b,
+                             double c)
+{
+    return a * b * c + sfi_dot(u, v) * c + sfi_dot(v, w) * a + sfi_dot(w, u) * b;
+}
+
 static double denominator(const double v[3][3])
 {
     double a = sqrt(sfi_dot(v[0], v[0])), b = sqrt(sfi_dot(v[1], v[1])),
            c = sqrt(sfi_dot(v[2], v[2]));
-    return a * b * c + sfi_dot(v[0], v[1]) * c + sfi_dot(v[1], v[2]) * a + sfi_dot(v[2], v[0]) * b;
+    return denominator_of(v[0], v[1], v[2], a, b, c);
 }
 
 // Normal of an integer triangle. Exact while its edges stay below 2^30.
@@ -118,15 +124,11 @@ static void add_flat(sfi_angle *sum, double v[3][3], const int64_t n[3], const d
     add_angle(sum, denominator((const double(*)[3])v), first < 0 ? num : -num);
 }
 
-void sfi_angle_add(sfi_angle *sum, const sfi_point *const p[3], sfi_point q, const double scale[3])
+// Where rounding may have changed its sign, what is tiny is made out in integers.
+static void add_level(sfi_angle *sum, const sfi_point *const p[3], sfi_point q, double v[3][3],
+                      const double scale[3])
 {
-    double v[3][3];
     int64_t n[3];
-    for (int i = 0; i < 3; i++) {
-        v[i][0] = (double)((int64_t)p[i]->x - q.x) * scale[0];
-        v[i][1] = (double)((int64_t)p[i]->y - q.y) * scale[1];
-        v[i][2] = (double)((int64_t)p[i]->z - q.z) * scale[2];
-    }
     normal(p, n);
     double num = height(p, n, q);
     if (num == 0.0) {
@@ -134,4 +136,30 @@ void sfi_angle_add(sfi_angle *sum, const sfi_point *const p[3], sfi_point q, con
     } else {
         add_angle(sum, denominator((const double(*)[3])v), num * scale[0] * scale[1] * scale[2]);
     }
+}
+
+void sfi_angle_add(sfi_angle *sum, const sfi_point *const p[3], sfi_point q, const double scale[3])
+{
+    double v[3][3], across[3], length[3];
+    for (int i = 0; i < 3; i++) {
+        v[i][0] = (double)(p[i]->x - q.x) * scale[0];
+        v[i][1] = (double)(p[i]->y - q.y) * scale[1];
+        v[i][2] = (double)(p[i]->z - q.z) * scale[2];
+        length[i] = sqrt(sfi_dot(v[i], v[i]));
+    }
+    sfi_cross(v[1], v[2], across);
+    double num = sfi_dot(v[0], across), most = length[0] * length[1] * length[2];
+    if (fabs(num) < 0x1p-46 * most) { // six products, each wrong by few parts in 2^53
+        add_level(sum, p, q, v, scale);
+        return;
+    }
+    add_angle(sum, denominator_of(v[0], v[1], v[2], length[0], length[1], length[2]), num);
+}
+
+void sfi_angle_add_beside(sfi_angle *sum, const double *const v[3], const double length[3])
+{
+    double across[3];
+    sfi_cross(v[1], v[2], across);
+    add_angle(sum, denominator_of(v[0], v[1], v[2], length[0], length[1], length[2]),
+              sfi_dot(v[0], across));
 }

@@ -17,6 +17,9 @@ typedef struct sfi_angle {
 // the length of a unit along x, y and z.
 void sfi_angle_add(sfi_angle *sum, const sfi_point *const p[3], sfi_point q, const double scale[3]);
 
+// The same for a point beside the triangle, 0, from its corners and how far they are.
+void sfi_angle_add_beside(sfi_angle *sum, const double *const v[3], const double length[3]);
+
 // The sum in turns: a closed surface around q gives 1.
 double sfi_angle_turns(const sfi_angle *a);
 

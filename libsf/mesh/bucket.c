@@ -19,6 +19,9 @@ static uint32_t slab_layers(const sfi_frame *frame)
 {
     uint32_t layers = SLAB_ROWS / frame->ny;
     layers = layers < 1 ? 1 : layers > SLAB_LAYERS ? SLAB_LAYERS : layers;
+    while ((layers & (layers - 1)) != 0) {
+        layers &= layers - 1; // a power of two: slabs do not cut the boxes of open meshes
+    }
     return layers < frame->nz ? layers : frame->nz;
 }
 

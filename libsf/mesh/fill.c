@@ -20,6 +20,12 @@ static sf_slice target_slice(const sfi_target *to, uint32_t k)
     return to->grid != NULL ? sf_grid_slice(to->grid, k) : to->slice;
 }
 
+// A cancelled call leaves at once; whoever asked sees that it was.
+static int stopped(const sfi_target *to)
+{
+    return sf_task_is_cancelled(to->task);
+}
+
 // Crossings of the window, from a list of triangles. Returns 0 when the window must be halved.
 static int collect(const sf_voxelizer *v, sfi_lane *lane, const uint32_t *list, size_t count,
                    sfi_window window)
@@ -52,27 +58,44 @@ static void fill_row(const sf_voxelizer *v, sfi_fill_lane *lane, sfi_window wind
     }
 }
 
-static uint32_t tile_end(uint32_t at, uint32_t side, uint32_t end)
+// The bits of n that stand at even places, close together.
+static uint32_t even_bits(uint32_t n)
 {
-    uint32_t next = side > 0 ? (at / side + 1) * side : end;
-    return next < end ? next : end;
+    uint32_t bits = 0;
+    for (uint32_t i = 0; n >> 2 * i != 0; i++) {
+        bits |= (n >> 2 * i & 1) << i;
+    }
+    return bits;
 }
 
-// Row by row; where there are holes, box by box.
+// Where there are holes: box by box, and in a box by the boxes within, halves within halves.
+static void fill_tile(const sf_voxelizer *v, sfi_fill_lane *lane, sfi_window window, uint32_t y0,
+                      uint32_t k0, const sfi_target *to)
+{
+    for (uint32_t i = 0; i < SFI_HOLE_BOX * SFI_HOLE_BOX && !stopped(to); i++) {
+        uint32_t y = y0 + even_bits(i), k = k0 + even_bits(i >> 1);
+        if (y >= window.y0 && y < window.y1 && k >= window.k0 && k < window.k1) {
+            fill_row(v, lane, window, y, k, target_slice(to, k));
+        }
+    }
+}
+
 static void fill_rows(const sf_voxelizer *v, sfi_fill_lane *lane, sfi_window window,
                       const sfi_target *to)
 {
-    uint32_t side = v->skin.winding.node_count > 0 ? SFI_HOLE_BOX : 0;
-    for (uint32_t k0 = window.k0, k1; k0 < window.k1; k0 = k1) {
-        k1 = tile_end(k0, side, window.k1);
-        for (uint32_t y0 = window.y0, y1; y0 < window.y1; y0 = y1) {
-            y1 = tile_end(y0, side, window.y1);
-            for (uint32_t k = k0; k < k1; k++) {
-                sf_slice slice = target_slice(to, k);
-                for (uint32_t y = y0; y < y1; y++) {
-                    fill_row(v, lane, window, y, k, slice);
-                }
+    if (v->skin.winding.node_count == 0) {
+        for (uint32_t k = window.k0; k < window.k1 && !stopped(to); k++) {
+            sf_slice slice = target_slice(to, k);
+            for (uint32_t y = window.y0; y < window.y1; y++) {
+                fill_row(v, lane, window, y, k, slice);
             }
+        }
+        return;
+    }
+    const uint32_t side = SFI_HOLE_BOX;
+    for (uint32_t k = window.k0 / side * side; k < window.k1; k += side) {
+        for (uint32_t y = window.y0 / side * side; y < window.y1; y += side) {
+            fill_tile(v, lane, window, y, k, to);
         }
     }
 }
@@ -100,10 +123,10 @@ static void fill_by_crossings(const sf_voxelizer *v, sfi_fill_lane *lane, uint32
                               const sfi_target *to)
 {
     uint32_t layers = k1 - k0, width = v->frame.ny;
-    while (k0 < k1) {
+    while (k0 < k1 && !stopped(to)) {
         uint32_t y = 0;
         layers = layers < k1 - k0 ? layers : k1 - k0;
-        while (y < v->frame.ny) {
+        while (y < v->frame.ny && !stopped(to)) {
             uint32_t y1 = width < v->frame.ny - y ? y + width : v->frame.ny;
             sfi_window window = {k0, k0 + layers, y, y1};
             if (fill_window(v, lane, window, to)) {
@@ -123,7 +146,7 @@ static void fill_by_touch(const sf_voxelizer *v, sfi_fill_lane *lane, uint32_t k
 {
     size_t count;
     const uint32_t *list = sfi_buckets_slab(&v->buckets, k0, &count);
-    for (uint32_t k = k0; k < k1; k++) {
+    for (uint32_t k = k0; k < k1 && !stopped(to); k++) {
         sf_slice slice = target_slice(to, k);
         for (uint32_t y = 0; y < slice.height; y++) {
             memset(slice.words + (size_t)y * slice.stride, 0, sfi_row_words(slice.width) * 8);

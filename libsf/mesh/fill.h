@@ -22,10 +22,11 @@ struct sf_voxelizer {
     sfi_fill_lane lane; // of slices that are asked for one at a time
 };
 
-// Where slices go: into a grid, or into one slice.
+// Where slices go: into a grid, or into one slice. And on whose behalf.
 typedef struct sfi_target {
     sf_grid *grid;
     sf_slice slice;
+    const sf_task *task; // NULL: nobody can stop it
 } sfi_target;
 
 sf_status sfi_fill_lane_create(const sf_voxelizer *v, sfi_fill_lane *lane);
@@ -35,7 +36,8 @@ void sfi_fill_lane_destroy(sfi_fill_lane *lane, const sf_allocator *allocator);
 void sfi_fill_reach(const sfi_frame *frame, const sfi_skin *skin, size_t triangle, uint32_t *k0,
                     uint32_t *k1);
 
-// Fill the layers k0 <= k < k1, all in one slab. The lane counts what was done.
+// Fill the layers k0 <= k < k1, all in one slab. The lane counts what was done. Once the task is
+// cancelled it leaves early, with any number of rows not written.
 void sfi_fill_layers(const sf_voxelizer *v, sfi_fill_lane *lane, uint32_t k0, uint32_t k1,
                      const sfi_target *to);
 

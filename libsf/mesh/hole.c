@@ -6,10 +6,15 @@
 // is their winding number, and the mesh's own is M + P - w: solid where that is at least a half,
 // that is where M + P - round(w) >= 1.
 //
-// The lattice is cut into boxes of 32 voxels a side, and those into boxes of 8. A box is surveyed
-// once for all its rows. Where no patch comes near and w stays clear of a half, round(w) is the
-// same everywhere: such a box costs a row no more than its crossings. The other voxels are judged
-// one by one, and they are few: those that lie near the surface that spans a hole.
+// Away from the boundary of the holes, w changes smoothly but where a patch is crossed, and there P
+// takes the same step. So u = w - P is smooth along a row, a voxel is solid where u <= M - 1/2, and
+// nothing has to be known of u but that it is clear of that. The lattice is cut into boxes of 32
+// voxels a side, those into boxes of 16, and so on down to 2. A box is surveyed once for all its
+// rows: it knows w in it but for whole turns, with a bound (survey.c). The whole turns come from
+// the box before, at the place between both; from P, where no patch comes into the box; or from one
+// voxel, looked at by itself. What a box cannot tell of a row is left to the boxes within, and at
+// last to the voxels: those that lie at the surface where the winding number of the mesh is a half,
+// or at the boundary of a hole.
 //
 // Boxes lie on the lattice and depend on nothing else, so it does not matter who fills which row.
 
@@ -18,9 +23,10 @@
 #include "base/memory.h"
 #include "simd/kernels.h"
 
+#include <math.h>
 #include <string.h>
 
-static const uint32_t sides[2] = {4 * SFI_HOLE_BOX, SFI_HOLE_BOX};
+#define LAST (SFI_HOLE_LEVELS - 1)
 
 typedef struct interval {
     uint32_t x0, x1;
@@ -34,13 +40,25 @@ typedef struct open_row {
     const sfi_skin *skin;
     uint32_t y, k;
     uint64_t *words;
+    size_t next;            // change after the voxel that the row has come to
+    int64_t mesh, patches;  // M and P there
+    double place[3];        // of its first voxel, in lengths
+    int known;              // whether u half a voxel before the next voxel is known
+    double before, mistake; // u there, to within its mistake
+    const sfi_winding_box *around[SFI_HOLE_LEVELS]; // the boxes around the next voxel
+    double turns[SFI_HOLE_LEVELS]; // what u is beyond the smooth ones' in this row: whole turns
 } open_row;
+
+static uint32_t side_of(int level)
+{
+    return SFI_HOLE_BOX >> level;
+}
 
 sf_status sfi_hole_lane_create(uint32_t nx, const sf_allocator *allocator, sfi_hole_lane *lane)
 {
     memset(lane, 0, sizeof *lane);
-    for (int level = 0; level < 2; level++) {
-        uint32_t count = (nx - 1) / sides[level] + 1;
+    for (int level = 0; level < SFI_HOLE_LEVELS; level++) {
+        uint32_t count = (nx - 1) / side_of(level) + 1;
         lane->counts[level] = count;
         lane->tile_y[level] = lane->tile_k[level] = UINT32_MAX;
         lane->boxes[level] = sfi_alloc_array(allocator, count, sizeof *lane->boxes[level]);
@@ -55,7 +73,7 @@ sf_status sfi_hole_lane_create(uint32_t nx, const sf_allocator *allocator, sfi_h
 
 void sfi_hole_lane_destroy(sfi_hole_lane *lane, const sf_allocator *allocator)
 {
-    for (int level = 0; level < 2; level++) {
+    for (int level = 0; level < SFI_HOLE_LEVELS; level++) {
         uint32_t count = lane->counts[level];
         sfi_free_array(allocator, lane->boxes[level], count, sizeof *lane->boxes[level]);
         sfi_free_array(allocator, lane->known[level], count, 1);
@@ -87,10 +105,12 @@ static void box_corners(const open_row *row, uint32_t x, uint32_t side, sfi_poin
                          box_last(bk, side, f->nz));
 }
 
-static const sfi_winding_block *box_at(const open_row *row, int level, uint32_t x)
+// The box around voxel x of the row, which lies in `parent`.
+static const sfi_winding_box *box_at(const open_row *row, int level, uint32_t x,
+                                     const sfi_winding_box *parent)
 {
     sfi_hole_lane *holes = row->holes;
-    uint32_t side = sides[level], box = x / side;
+    uint32_t side = side_of(level), box = x / side;
     if (holes->tile_y[level] != row->y / side || holes->tile_k[level] != row->k / side) {
         holes->tile_y[level] = row->y / side;
         holes->tile_k[level] = row->k / side;
@@ -99,26 +119,11 @@ static const sfi_winding_block *box_at(const open_row *row, int level, uint32_t 
     if (!holes->known[level][box]) {
         sfi_point low, high;
         box_corners(row, x, side, &low, &high);
-        sfi_winding_survey(&row->skin->winding, row->skin->points, low, high,
+        sfi_winding_survey(&row->skin->winding, row->skin->points, low, high, parent,
                            &holes->boxes[level][box]);
         holes->known[level][box] = 1;
     }
     return &holes->boxes[level][box];
-}
-
-// How many changes have happened at voxel x.
-static size_t changes_until(const open_row *row, uint32_t x)
-{
-    size_t low = 0, high = row->change_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (row->lane->changes[middle].voxel <= x) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
 }
 
 static void sum_changes(sfi_change *changes, size_t count)
@@ -135,66 +140,176 @@ static void set_run(const open_row *row, uint32_t x0, uint32_t x1)
     row->lane->solid_voxels += x1 - x0;
 }
 
-// Fill an interval in which round(w) - P is `threshold` everywhere.
-static void fill_interval(const open_row *row, interval i, int64_t threshold)
+// Come to voxel x. Rows are filled from left to right. Returns where M or P may change next.
+static uint32_t come_to(open_row *row, uint32_t x)
 {
     const sfi_change *changes = row->lane->changes;
-    size_t next = changes_until(row, i.x0);
-    while (i.x0 < i.x1) {
-        int64_t mesh = next > 0 ? changes[next - 1].mesh : 0;
-        uint32_t end = next < row->change_count ? changes[next].voxel : i.x1;
-        end = end < i.x1 ? end : i.x1;
-        if (mesh > threshold && end > i.x0) {
-            set_run(row, i.x0, end);
+    while (row->next < row->change_count && changes[row->next].voxel <= x) {
+        row->mesh = changes[row->next].mesh;
+        row->patches = changes[row->next].cap;
+        row->next++;
+    }
+    return row->next < row->change_count ? changes[row->next].voxel : row->frame->nx;
+}
+
+// Where voxel x is, half a voxel more or less, as seen from the middle of a box.
+static inline void see_voxel(const open_row *row, const sfi_winding_box *box, uint32_t x,
+                             double half, double at[3])
+{
+    at[0] = (double)(x * SFI_UNITS + SFI_UNITS / 2) + half * SFI_UNITS - box->place[0];
+    at[1] = row->place[1] - box->place[1];
+    at[2] = row->place[2] - box->place[2];
+}
+
+// Whether voxel x is solid, by the smallest box that can tell, not below `level`.
+static int judge_voxel(const open_row *row, int level, uint32_t x)
+{
+    const sfi_winding *winding = &row->skin->winding;
+    sfi_point q = voxel_center(row->frame, x, row->y, row->k);
+    double half = (double)row->mesh + (double)row->patches - 0.5; // solid where w is below
+    for (; level >= 0 && !row->around[level]->dense; level--) {
+        double error,
+            value = sfi_winding_in(winding, row->skin->points, row->around[level], q, &error);
+        if (fabs(value - half) > error) {
+            return value < half;
         }
-        i.x0 = end > i.x0 ? end : i.x0;
-        next++;
+    }
+    return row->mesh + row->patches > sfi_winding_round(winding, row->skin->points, q);
+}
+
+// Whole turns that u is beyond what a smooth box says about it, where the row comes to voxel x.
+static double turns_at(const open_row *row, const sfi_winding_box *box, uint32_t x)
+{
+    double at[3], patches = (double)row->patches, error;
+    if (box->plain) {
+        return -patches;
+    }
+    see_voxel(row, box, x, -0.5, at);
+    if (row->known && row->mistake + sfi_jet_error(&box->all, at) < 0.5) {
+        return floor(row->before - sfi_jet_at(&box->all, at) + 0.5);
+    }
+    sfi_point q = voxel_center(row->frame, x, row->y, row->k);
+    double value = sfi_winding_in(&row->skin->winding, row->skin->points, box, q, &error);
+    see_voxel(row, box, x, 0.0, at);
+    return floor(value - patches - sfi_jet_at(&box->all, at) + 0.5);
+}
+
+static void enter_box(open_row *row, int level, uint32_t x)
+{
+    row->around[level] = box_at(row, level, x, level > 0 ? row->around[level - 1] : NULL);
+    if (row->around[level]->smooth) {
+        row->turns[level] = turns_at(row, row->around[level], x);
     }
 }
 
-static int64_t patches_at(const open_row *row, uint32_t x)
+// Remember u at the end of what a smooth box has filled.
+static void leave_at(open_row *row, int level, uint32_t x)
 {
-    size_t n = changes_until(row, x);
-    return n > 0 ? row->lane->changes[n - 1].cap : 0;
+    double at[3];
+    see_voxel(row, row->around[level], x, -0.5, at);
+    row->known = 1;
+    row->before = row->turns[level] + sfi_jet_at(&row->around[level]->all, at);
+    row->mistake = sfi_jet_error(&row->around[level]->all, at);
 }
 
-static double share_of(int32_t low, int32_t at, int32_t high)
+// What a smooth box says about the voxels of an interval: u, how it changes, how wrong that is.
+typedef struct outlook {
+    double value, spread, error;
+} outlook;
+
+static outlook look_along(const open_row *row, int level, interval i)
 {
-    return high > low ? (double)(at - low) / (double)(high - low) : 0.0;
+    const sfi_winding_box *box = row->around[level];
+    double first[3], last[3], middle[3], half = (double)(i.x1 - 1 - i.x0) / 2 * SFI_UNITS;
+    see_voxel(row, box, i.x0, 0.0, first);
+    see_voxel(row, box, i.x1 - 1, 0.0, last);
+    see_voxel(row, box, i.x0, 0.0, middle);
+    middle[0] += half;
+    const double *bend = box->all.bend;
+    double slope =
+        box->all.slope[0] + bend[0] * middle[0] + bend[3] * middle[1] + bend[5] * middle[2];
+    double before = sfi_jet_error(&box->all, first), after = sfi_jet_error(&box->all, last);
+    outlook seen = {row->turns[level] + sfi_jet_at(&box->all, middle),
+                    fabs(slope) * half + 0.5 * fabs(bend[0]) * half * half,
+                    before > after ? before : after};
+    return seen;
 }
 
-static void judge_voxels(const open_row *row, interval i, const sfi_winding_block *box)
+// Fill what a smooth box can tell of an interval in which M does not change, voxel by voxel.
+// Returns the first that it cannot tell.
+static uint32_t fill_voxels(const open_row *row, int level, interval i)
 {
-    sfi_point low, high, q = voxel_center(row->frame, i.x0, row->y, row->k);
-    box_corners(row, i.x0, SFI_HOLE_BOX, &low, &high);
-    double share[3] = {0.0, share_of(low.y, q.y, high.y), share_of(low.z, q.z, high.z)};
-    for (uint32_t x = i.x0; x < i.x1; x++) {
-        interval one = {x, x + 1};
-        q.x = voxel_center(row->frame, x, row->y, row->k).x;
-        share[0] = share_of(low.x, q.x, high.x);
-        int64_t w = sfi_winding_round_in(&row->skin->winding, row->skin->points, box, share, q);
-        fill_interval(row, one, w - patches_at(row, x));
+    const sfi_jet *jet = &row->around[level]->all;
+    double at[3], half = (double)row->mesh - 0.5 - row->turns[level];
+    see_voxel(row, row->around[level], i.x0, 0.0, at);
+    for (; i.x0 < i.x1; i.x0++, at[0] += SFI_UNITS) {
+        double off = sfi_jet_at(jet, at) - half;
+        if (fabs(off) <= sfi_jet_error(jet, at)) {
+            break;
+        }
+        if (off < 0.0) {
+            set_run(row, i.x0, i.x0 + 1);
+        }
     }
+    return i.x0;
 }
 
-// Fill what a large box holds of the row, by its small ones where that cannot be done at once.
-static void fill_boxes(const open_row *row, interval i)
+// Fill what a smooth box can tell of an interval, at once where u stays clear of M - 1/2. Returns
+// the first voxel that it cannot tell.
+static uint32_t fill_smooth(open_row *row, int level, interval i)
 {
-    const sfi_winding_block *box = box_at(row, 0, i.x0);
-    if (box->uniform) {
-        fill_interval(row, i, box->whole - patches_at(row, i.x0));
-        return;
-    }
-    while (i.x0 < i.x1) {
-        uint32_t end = i.x0 + SFI_HOLE_BOX < i.x1 ? i.x0 + SFI_HOLE_BOX : i.x1;
-        interval part = {i.x0, end};
-        box = box_at(row, 1, i.x0);
-        if (box->uniform) {
-            fill_interval(row, part, box->whole - patches_at(row, i.x0));
+    outlook seen = look_along(row, level, i);
+    uint32_t x = i.x0;
+    while (x < i.x1) {
+        uint32_t end = come_to(row, x);
+        interval part = {x, end < i.x1 ? end : i.x1};
+        double off = seen.value - ((double)row->mesh - 0.5);
+        if (fabs(off) <= seen.spread + seen.error) {
+            x = fill_voxels(row, level, part);
         } else {
-            judge_voxels(row, part, box);
+            if (off < 0.0) {
+                set_run(row, part.x0, part.x1);
+            }
+            x = part.x1;
         }
-        i.x0 = end;
+        if (x < part.x1) {
+            break;
+        }
+    }
+    if (x > i.x0) {
+        leave_at(row, level, x);
+    }
+    return x;
+}
+
+// Through a row: by the largest box that can tell, down to the smallest, and then by the voxel.
+static void fill_row(open_row *row)
+{
+    const uint32_t nx = row->frame->nx;
+    int level = -1;
+    for (uint32_t x = 0; x < nx;) {
+        come_to(row, x);
+        if (level < LAST && (level < 0 || !row->around[level]->smooth)) {
+            enter_box(row, ++level, x);
+            continue;
+        }
+        interval part = {x, (x / side_of(level) + 1) * side_of(level)};
+        part.x1 = part.x1 < nx ? part.x1 : nx;
+        uint32_t end = row->around[level]->smooth ? fill_smooth(row, level, part) : x;
+        if (end == x && level < LAST - 1) {
+            enter_box(row, ++level, x);
+            continue;
+        }
+        if (end == x) {
+            if (judge_voxel(row, level, x)) {
+                set_run(row, x, x + 1);
+            }
+            row->known = 0;
+            end++;
+        }
+        for (x = end; level >= 0 && x % side_of(level) == 0;) {
+            level--; // out of the box
+        }
     }
 }
 
@@ -202,11 +317,17 @@ void sfi_row_fill_open(sfi_lane *lane, sfi_hole_lane *holes, size_t change_count
                        const sfi_frame *frame, const sfi_skin *skin, uint32_t y, uint32_t k,
                        uint64_t *words)
 {
-    open_row row = {lane, holes, change_count, frame, skin, y, k, words};
+    open_row row = {.lane = lane,
+                    .holes = holes,
+                    .change_count = change_count,
+                    .frame = frame,
+                    .skin = skin,
+                    .y = y,
+                    .k = k,
+                    .words = words};
     sum_changes(lane->changes, change_count);
     memset(words, 0, sfi_row_words(frame->nx) * sizeof *words);
-    for (uint32_t x = 0; x < frame->nx; x += sides[0]) {
-        interval part = {x, x + sides[0] < frame->nx ? x + sides[0] : frame->nx};
-        fill_boxes(&row, part);
-    }
+    sfi_point q = voxel_center(frame, 0, y, k);
+    sfi_winding_place(&skin->winding, &q, row.place);
+    fill_row(&row);
 }

@@ -6,15 +6,17 @@
 
 #include "mesh/row.h"
 
-// Voxels along each side of a box. Rows are best filled box by box, not layer by layer.
-#define SFI_HOLE_BOX 8u
+// Boxes of 32, 16, 8, 4 and 2 voxels a side.
+#define SFI_HOLE_LEVELS 5
+// Side of the largest. Rows are best filled box by box, and box within box, not layer by layer.
+#define SFI_HOLE_BOX 32u
 
-// Surveys of the boxes around the current row, large ones and small ones; made when needed.
+// Surveys of the boxes around the current row; made when needed.
 typedef struct sfi_hole_lane {
-    sfi_winding_block *boxes[2];
-    unsigned char *known[2]; // which of them are surveyed
-    uint32_t counts[2];
-    uint32_t tile_y[2], tile_k[2]; // where the boxes stand
+    sfi_winding_box *boxes[SFI_HOLE_LEVELS];
+    unsigned char *known[SFI_HOLE_LEVELS]; // which of them are surveyed
+    uint32_t counts[SFI_HOLE_LEVELS];
+    uint32_t tile_y[SFI_HOLE_LEVELS], tile_k[SFI_HOLE_LEVELS]; // where the boxes stand
 } sfi_hole_lane;
 
 sf_status sfi_hole_lane_create(uint32_t nx, const sf_allocator *allocator, sfi_hole_lane *lane);

@@ -120,7 +120,7 @@ sf_status sf_voxelizer_slice(sf_voxelizer *voxelizer, uint32_t k, sf_slice slice
     if (slice.width != voxelizer->frame.nx || slice.height != voxelizer->frame.ny) {
         return SF_ERR_SHAPE;
     }
-    sfi_target to = {NULL, slice};
+    sfi_target to = {NULL, slice, NULL};
     sfi_fill_layers(voxelizer, &voxelizer->lane, k, k + 1, &to);
     return SF_OK;
 }
@@ -146,16 +146,16 @@ sf_status sf_voxelizer_report(const sf_voxelizer *voxelizer, sf_voxelize_report 
 }
 
 // A round of slabs, one a lane.
-typedef struct round {
+typedef struct slabs {
     const sf_voxelizer *voxelizer;
     sfi_fill_lane *lanes;
     sfi_target to;
     uint32_t first_slab;
-} round;
+} slabs;
 
 static void fill_slab(void *context, size_t index)
 {
-    const round *r = context;
+    const slabs *r = context;
     const sf_voxelizer *v = r->voxelizer;
     uint32_t layers = v->buckets.layers, k0 = (r->first_slab + (uint32_t)index) * layers;
     uint32_t k1 = layers < v->frame.nz - k0 ? k0 + layers : v->frame.nz;
@@ -188,13 +188,13 @@ static sf_status fill_slabs(const sf_voxelizer *v, sfi_fill_lane *lanes, uint32_
                             sf_grid *grid, sf_task *task)
 {
     sfi_progress progress = sfi_progress_begin(task);
-    round r = {v, lanes, {grid, {NULL, 0, 0, 0}}, 0};
+    slabs r = {v, lanes, {grid, {NULL, 0, 0, 0}, task}, 0};
     while (r.first_slab < v->buckets.slab_count) {
         uint32_t left = v->buckets.slab_count - r.first_slab;
-        if (sf_task_is_cancelled(task)) {
+        sfi_task_for(task, left < lane_count ? left : lane_count, fill_slab, &r);
+        if (sf_task_is_cancelled(task)) { // the slabs saw it, too, and may have left early
             return SF_ERR_CANCELLED;
         }
-        sfi_task_for(task, left < lane_count ? left : lane_count, fill_slab, &r);
         r.first_slab += left < lane_count ? left : lane_count;
         sfi_progress_report(&progress, r.first_slab, v->buckets.slab_count);
     }

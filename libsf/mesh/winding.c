@@ -143,7 +143,7 @@ sf_status sfi_winding_create(const sfi_frame *frame, const sfi_point *points,
         return SF_OK;
     }
     size_t count;
-    if (loops->edge_count > UINT32_MAX || !sfi_size_mul(loops->edge_count, 2, &count)) {
+    if (loops->edge_count > UINT32_MAX / 2 || !sfi_size_mul(loops->edge_count, 2, &count)) {
         return SF_ERR_OVERFLOW;
     }
     winding->node_count = count - 1;

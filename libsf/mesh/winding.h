@@ -4,6 +4,7 @@
 #ifndef SF_MESH_WINDING_H
 #define SF_MESH_WINDING_H
 
+#include "mesh/jet.h"
 #include "mesh/loops.h"
 
 // A stretch of one loop, closed by a chord, or several whole loops; and the patch over it.
@@ -51,26 +52,30 @@ double sfi_winding_estimate(const sfi_winding *winding, const sfi_point *points,
 // The whole number nearest to the patches' winding number around q; a q on a patch counts as just
 // beyond it in x (then y, then z), and a half is rounded down.
 int64_t sfi_winding_round(const sfi_winding *winding, const sfi_point *points, sfi_point q);
-// Most triangles that a block keeps to itself.
+
+// Most triangles that a box keeps to itself.
 #define SFI_NEAR_MAX 96
 
-// The patches' winding number within a box of voxels: triangles near the box one by one, all others
-// as a function that is linear along each axis.
-typedef struct sfi_winding_block {
-    double corner[8]; // of what lies far, at the box's corners: bit 0 is x, bit 1 y, bit 2 z
-    double error;     // estimate of how far off the linear function is
-    int64_t whole;    // the rounded winding number, where it is the same everywhere in the box
-    int uniform;      // whether it is
-    int dense;        // whether more than SFI_NEAR_MAX triangles are near: then nothing else holds
+// The patches' winding number within a box of voxels: all of it but for whole turns, and what lies
+// far apart from the triangles near by.
+typedef struct sfi_winding_box {
+    sfi_jet far, all; // about the middle, over the box and half a voxel beyond it along x
+    sfi_point middle;
+    double place[3], reach; // the middle in lengths, and a ball around it that holds all this
+    int depth;              // of the parents around it
+    int dense;  // whether more than SFI_NEAR_MAX triangles are near: then nothing below holds
+    int smooth; // whether `all` holds
+    int plain;  // whether no triangle comes into the ball: then there are no whole turns to count
     uint32_t near_count;
     uint32_t near[SFI_NEAR_MAX];
-} sfi_winding_block;
+} sfi_winding_box;
 
-// Survey the box between two voxel centres, low <= high along each axis.
+// Survey the box between two voxel centres, low <= high along each axis. `parent` is a box around
+// it that is surveyed, or NULL.
 void sfi_winding_survey(const sfi_winding *winding, const sfi_point *points, sfi_point low,
-                        sfi_point high, sfi_winding_block *block);
-// sfi_winding_round at a centre within the box; `share` says where between its corners, in [0, 1].
-int64_t sfi_winding_round_in(const sfi_winding *winding, const sfi_point *points,
-                             const sfi_winding_block *block, const double share[3], sfi_point q);
+                        sfi_point high, const sfi_winding_box *parent, sfi_winding_box *box);
+// The winding number at a point of a box that is not dense, to within `error`.
+double sfi_winding_in(const sfi_winding *winding, const sfi_point *points,
+                      const sfi_winding_box *box, sfi_point q, double *error);
 
 #endif

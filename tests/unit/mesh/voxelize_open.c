@@ -95,6 +95,23 @@ static void loose_triangles(void)
     }
 }
 
+// Large enough for boxes within boxes, and for voxels that only just are on one side of a half.
+static void a_soup_of_many_boxes(void)
+{
+    s.vertex_count = s.triangle_count = 0;
+    for (int n = 0; n < 100; n++) {
+        uint32_t v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = solid_vertex(&s, 70 * test_random_unit(), 36 * test_random_unit(),
+                                36 * test_random_unit());
+        }
+        solid_triangle(&s, v[0], v[1], v[2]);
+    }
+    solid_snap(&s);
+    sf_lattice lattice = solid_lattice(67, 35, 37);
+    check_open(&lattice, SF_FILL_WINDING, 300);
+}
+
 // Solid angles are measured in millimetres, not in voxels.
 static void voxels_that_are_no_cubes(void)
 {
@@ -136,6 +153,7 @@ int main(void)
     TEST(spheres_with_holes);
     TEST(boxes_without_a_face);
     TEST(loose_triangles);
+    TEST(a_soup_of_many_boxes);
     TEST(voxels_that_are_no_cubes);
     TEST(closed_parts_stay_exact);
     return test_finish();

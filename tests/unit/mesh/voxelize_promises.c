@@ -147,6 +147,54 @@ static void a_cancel_changes_nothing(void)
     }
 }
 
+typedef struct stopper {
+    sf_task *task;
+    const sf_grid *grid;
+    int rounds;
+} stopper;
+
+// Cancels with one slab begun, and looks whether those that come after still write.
+static void stop_midway(void *user, size_t count, sf_task_body body, void *context)
+{
+    stopper *h = user;
+    body(context, 0);
+    sf_task_cancel(h->task);
+    uint64_t before = sf_grid_popcount(h->grid);
+    CHECK(before > 0);
+    for (size_t i = 1; i < count; i++) {
+        body(context, i);
+    }
+    CHECK(count > 1);
+    CHECK_EQ(sf_grid_popcount(h->grid), before);
+    h->rounds++;
+}
+
+static void a_cancel_is_heard_within_a_slab(void)
+{
+    sf_lattice lattice = solid_lattice(20, 1200, 20);
+    for (int open = 0; open < 2; open++) {
+        double low[3] = {2, 2, 1}, high[3] = {18, 1100, 19};
+        s.vertex_count = s.triangle_count = 0;
+        solid_box(&s, low, high);
+        s.triangle_count -= (size_t)open;
+        for (int fill = SF_FILL_AUTO; fill <= SF_FILL_SURFACE; fill++) {
+            sf_grid *grid = NULL;
+            CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
+            sf_task task = sf_task_default();
+            stopper h = {&task, grid, 0};
+            task.parallel_for = stop_midway;
+            task.user = &h;
+            sf_voxelize_options options = sf_voxelize_options_default();
+            options.fill = (sf_fill)fill;
+            CHECK_EQ(sf_grid_voxelize(grid, solid_view(&s), &options, NULL, &task, NULL),
+                     SF_ERR_CANCELLED);
+            CHECK_EQ(h.rounds, 1);
+            CHECK_EQ(sf_grid_popcount(grid), 0);
+            sf_grid_destroy(grid);
+        }
+    }
+}
+
 static void pieces_in_any_order(void)
 {
     sf_lattice lattice = solid_lattice(21, 1100, 23);
@@ -249,6 +297,7 @@ int main(void)
     TEST(allocations_may_fail);
     TEST(creation_may_fail);
     TEST(a_cancel_changes_nothing);
+    TEST(a_cancel_is_heard_within_a_slab);
     TEST(pieces_in_any_order);
     TEST(slices_one_at_a_time);
     TEST(refusals);
