@@ -6,30 +6,11 @@
 #include "judgement.h"
 #include "output.h"
 #include "picture.h"
+#include "results.h"
 #include "trimming.h"
 #include "verbs.h"
 
-#include <errno.h>
-#include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
-
-enum { PATH_SIZE = 4096 };
-
-static exit_status make_folder(cli_job *job, const char *folder)
-{
-    struct stat entry;
-#ifdef _WIN32
-    int made = mkdir(folder);
-#else
-    int made = mkdir(folder, 0777);
-#endif
-    if (made == 0 || (stat(folder, &entry) == 0 && S_ISDIR(entry.st_mode))) {
-        return EXIT_GOOD;
-    }
-    return job_fail(job, EXIT_RESOURCE, "%s: The folder could not be made: %s.", folder,
-                    strerror(errno));
-}
 
 // Said before the work begins, not after it.
 static exit_status check_folder(cli_job *job, const char *folder)
@@ -45,21 +26,16 @@ static exit_status check_folder(cli_job *job, const char *folder)
     return EXIT_GOOD;
 }
 
-static exit_status join(cli_job *job, const char *name, char path[PATH_SIZE])
-{
-    int length = snprintf(path, PATH_SIZE, "%s/%s", job->options.output, name);
-    return length < PATH_SIZE ? EXIT_GOOD : job_fail(job, EXIT_USAGE, "-o: The path is too long.");
-}
-
-static exit_status save_picture(cli_job *job, const subject *what, const char *name)
+static exit_status save_picture(cli_job *job, const results *r, const subject *what,
+                                const char *name)
 {
     canvas picture = {NULL, 0, 0};
-    char path[PATH_SIZE];
+    char path[RESULTS_PATH_SIZE];
     double bar_mm;
     if (!sf_stack_has_png()) {
         return EXIT_GOOD;
     }
-    exit_status status = join(job, name, path);
+    exit_status status = results_path(job, r, name, path);
     if (status == EXIT_GOOD) {
         status = picture_draw(job, what, &picture, &bar_mm);
     }
@@ -71,29 +47,30 @@ static exit_status save_picture(cli_job *job, const subject *what, const char *n
 }
 
 // The picture before shows what the trim took away, so it needs both grids.
-static exit_status save_pictures(cli_job *job, const sf_grid *before, const sf_grid *after)
+static exit_status save_pictures(cli_job *job, const results *r, const sf_grid *before,
+                                 const sf_grid *after)
 {
     subject first = {before, after, before}, second = {after, after, before};
-    exit_status status = save_picture(job, &first, "before.png");
-    return status == EXIT_GOOD ? save_picture(job, &second, "after.png") : status;
+    exit_status status = save_picture(job, r, &first, "before.png");
+    return status == EXIT_GOOD ? save_picture(job, r, &second, "after.png") : status;
 }
 
-static exit_status save_results(cli_job *job, const part *p)
+static exit_status save_shapes(cli_job *job, const results *r, const part *p)
 {
-    char path[PATH_SIZE];
-    exit_status status = join(job, "printable.stl", path);
+    char path[RESULTS_PATH_SIZE];
+    exit_status status = results_path(job, r, "printable.stl", path);
     if (status == EXIT_GOOD) {
         status = output_save_mesh(job, p, path);
     }
     if (status == EXIT_GOOD) {
-        status = join(job, "layers", path);
+        status = results_path(job, r, "layers", path);
     }
     return status == EXIT_GOOD ? output_save_stack(job, p, path) : status;
 }
 
-static exit_status save_report(cli_job *job)
+static exit_status save_report(cli_job *job, const results *to)
 {
-    char path[PATH_SIZE];
+    char path[RESULTS_PATH_SIZE];
     report *r = job->report;
     const char *folder = job->options.output;
     report_number(r, "seconds", job_seconds(job));
@@ -107,8 +84,28 @@ static exit_status save_report(cli_job *job)
         report_say(r, "All figures are in %s/report.json.", folder);
         job_warn(job, "No pictures were drawn: this build was made without PNG.");
     }
-    exit_status status = join(job, "report.json", path);
+    exit_status status = results_path(job, to, "report.json", path);
     return status == EXIT_GOOD ? output_save_report(job, path) : status;
+}
+
+static exit_status save_all(cli_job *job, const part *p, const sf_grid *before)
+{
+    results to;
+    exit_status status = results_begin(job, job->options.output, &to);
+    if (status == EXIT_GOOD) {
+        status = save_shapes(job, &to, p);
+    }
+    if (status == EXIT_GOOD) {
+        status = save_pictures(job, &to, before, p->grid);
+    }
+    if (status == EXIT_GOOD) {
+        status = save_report(job, &to);
+    }
+    if (status == EXIT_GOOD) {
+        status = results_publish(job, &to);
+    }
+    results_drop(&to);
+    return status;
 }
 
 static exit_status trim_and_save(cli_job *job, part *p)
@@ -121,18 +118,9 @@ static exit_status trim_and_save(cli_job *job, part *p)
     }
     exit_status status = trim_part(job, p, &after);
     if (status == EXIT_GOOD) {
-        status = make_folder(job, job->options.output);
-    }
-    if (status == EXIT_GOOD) {
-        status = save_results(job, p);
-    }
-    if (status == EXIT_GOOD) {
-        status = save_pictures(job, before, p->grid);
+        status = save_all(job, p, before);
     }
     sf_grid_destroy(before);
-    if (status == EXIT_GOOD) {
-        status = save_report(job);
-    }
     return status == EXIT_GOOD && !after.support_free ? EXIT_PROPERTY : status;
 }
 
