@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Trimming the part, and looking again.
 //
-// What is reported as support-free is what a check of the result found, not what the trim promised.
+// What is reported is what a check of the result and a comparison of both grids found, not what the
+// trim promised.
 
 #include "trimming.h"
 
@@ -9,29 +10,43 @@
 #include "judgement.h"
 #include "progress.h"
 
-exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
+// How many voxels are solid in one grid and not in another of the same lattice.
+static uint64_t count_missing(const sf_grid *here, const sf_grid *there)
 {
-    report *r = job->report;
-    sf_trim_report done;
-    double before_mm3 = describe_volume(p->grid);
-    progress_phase("trimming");
-    sf_status status = sf_grid_trim(p->grid, &p->rule, p->bed_layer, &job->task, &done);
-    if (status == SF_OK) {
-        progress_phase("checking");
-        status = count_unsupported(job, p, p->grid, after);
+    uint64_t count = 0;
+    for (uint32_t k = 0; k < sf_grid_lattice(here).nz; k++) {
+        sf_slice a = sf_grid_slice(here, k), b = sf_grid_slice(there, k);
+        for (uint32_t y = 0; y < a.height; y++) {
+            for (size_t w = 0; w < ((size_t)a.width + 63) / 64; w++) {
+                uint64_t word = a.words[y * a.stride + w] & ~b.words[y * b.stride + w];
+                for (; word != 0; word &= word - 1) {
+                    count++;
+                }
+            }
+        }
     }
-    if (status != SF_OK) {
-        return job_fail_call(job, status, NULL, "the trim", EXIT_INPUT);
+    return count;
+}
+
+static void report_fields(report *r, const char *key, const sf_grid *before, const sf_grid *after,
+                          int support_free)
+{
+    if (key != NULL) {
+        report_begin(r, key);
     }
-    double after_mm3 = describe_volume(p->grid);
-    report_begin(r, "trim");
-    report_count(r, "kept_voxels", done.kept_voxels);
-    report_count(r, "removed_voxels", done.removed_voxels);
-    report_count(r, "added_voxels", 0);
-    report_number(r, "volume_mm3", after_mm3);
-    report_flag(r, "support_free", after->support_free);
-    report_end(r);
-    if (done.removed_voxels == 0) {
+    report_count(r, "kept_voxels", sf_grid_popcount(after));
+    report_count(r, "removed_voxels", count_missing(before, after));
+    report_count(r, "added_voxels", count_missing(after, before));
+    report_number(r, "volume_mm3", describe_volume(after));
+    report_flag(r, "support_free", support_free);
+    if (key != NULL) {
+        report_end(r);
+    }
+}
+
+static void say(report *r, double before_mm3, double after_mm3)
+{
+    if (before_mm3 == after_mm3) {
         report_say(r, "It prints without supports as it is; nothing was taken away.");
     } else {
         char taken[DESCRIBE_MM3_SIZE], left[DESCRIBE_MM3_SIZE];
@@ -41,5 +56,27 @@ exit_status trim_part(cli_job *job, part *p, sf_check_report *after)
                    describe_mm3(before_mm3 - after_mm3, taken),
                    100 * (before_mm3 - after_mm3) / before_mm3, describe_mm3(after_mm3, left));
     }
+}
+
+exit_status trim_part(cli_job *job, part *p, const char *key, sf_check_report *after,
+                      sf_grid **before)
+{
+    sf_trim_report done;
+    *before = NULL;
+    sf_status status = sf_grid_clone(p->grid, NULL, before);
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "a second grid", EXIT_RESOURCE);
+    }
+    progress_phase("trimming");
+    status = sf_grid_trim(p->grid, &p->rule, p->bed_layer, &job->task, &done);
+    if (status == SF_OK) {
+        progress_phase("checking");
+        status = count_unsupported(job, p, p->grid, after);
+    }
+    if (status != SF_OK) {
+        return job_fail_call(job, status, NULL, "the trim", EXIT_INPUT);
+    }
+    report_fields(job->report, key, *before, p->grid, after->support_free);
+    say(job->report, describe_volume(*before), describe_volume(p->grid));
     return EXIT_GOOD;
 }

@@ -112,11 +112,7 @@ static exit_status trim_and_save(cli_job *job, part *p)
 {
     sf_grid *before = NULL;
     sf_check_report after;
-    sf_status cloned = sf_grid_clone(p->grid, NULL, &before);
-    if (cloned != SF_OK) {
-        return job_fail_call(job, cloned, NULL, "a second grid", EXIT_RESOURCE);
-    }
-    exit_status status = trim_part(job, p, &after);
+    exit_status status = trim_part(job, p, "trim", &after, &before);
     if (status == EXIT_GOOD) {
         status = save_all(job, p, before);
     }

@@ -11,6 +11,7 @@
 static exit_status trim(cli_job *job, part *p)
 {
     sf_check_report after;
+    sf_grid *before;
     exit_status status = part_voxelize(job, p);
     if (status == EXIT_GOOD) {
         status = part_make_rule(job, p);
@@ -19,7 +20,8 @@ static exit_status trim(cli_job *job, part *p)
         return status;
     }
     describe_part(job, p, "trim");
-    status = trim_part(job, p, &after);
+    status = trim_part(job, p, NULL, &after, &before);
+    sf_grid_destroy(before);
     if (status == EXIT_GOOD && job->options.output != NULL) {
         status = output_save(job, p, job->options.output);
     }
