@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
-// sf info: what a mesh is.
+// sf info: what a part is. Of a stack or a scene, which are voxels, what only triangles have is
+// null.
 
+#include "describe.h"
+#include "mass.h"
 #include "part.h"
 #include "progress.h"
 #include "verbs.h"
 
 #include <math.h>
+
+static void report_mass(report *r, const sf_mass *m, const double bounds[6])
+{
+    report_numbers(r, "com_mm", m->com_mm, 3);
+    report_numbers(r, "inertia_mm5", m->inertia_mm5, 6);
+    report_begin(r, "bounds_mm");
+    report_numbers(r, "low", bounds, 3);
+    report_numbers(r, "high", bounds + 3, 3);
+    report_end(r);
+}
 
 static void report_fields(report *r, const char *input, const sf_mesh_view *mesh,
                           const sf_topology *t, const sf_mass *m, const double bounds[6])
@@ -25,12 +38,7 @@ static void report_fields(report *r, const char *input, const sf_mesh_view *mesh
     report_flag(r, "flipped", t->flipped);
     report_number(r, "volume_mm3", m->volume_mm3);
     report_number(r, "area_mm2", m->area_mm2);
-    report_numbers(r, "com_mm", m->com_mm, 3);
-    report_numbers(r, "inertia_mm5", m->inertia_mm5, 6);
-    report_begin(r, "bounds_mm");
-    report_numbers(r, "low", bounds, 3);
-    report_numbers(r, "high", bounds + 3, 3);
-    report_end(r);
+    report_mass(r, m, bounds);
 }
 
 // A coordinate for people: rounding errors of the file's author are zeros.
@@ -49,15 +57,20 @@ static void say_place(report *r, const char *what, const double at[3], const dou
                tidy(at[2], bounds));
 }
 
+static void say_bounds(report *r, const double bounds[6])
+{
+    report_say(r, "size            %.6g x %.6g x %.6g mm", bounds[3] - bounds[0],
+               bounds[4] - bounds[1], bounds[5] - bounds[2]);
+    say_place(r, "lower corner", bounds, bounds);
+    say_place(r, "upper corner", bounds + 3, bounds);
+}
+
 static void say(report *r, const char *input, const sf_mesh_view *mesh, const sf_topology *t,
                 const sf_mass *m, const double bounds[6])
 {
     report_say(r, "%s: %zu triangles, %zu vertices, %zu shell%s", input, mesh->triangle_count,
                t->vertex_count, t->shells, t->shells == 1 ? "" : "s");
-    report_say(r, "size            %.6g x %.6g x %.6g mm", bounds[3] - bounds[0],
-               bounds[4] - bounds[1], bounds[5] - bounds[2]);
-    say_place(r, "lower corner", bounds, bounds);
-    say_place(r, "upper corner", bounds + 3, bounds);
+    say_bounds(r, bounds);
     report_say(r, "volume          %.8g mm3%s", m->volume_mm3,
                t->closed ? "" : " (an estimate: the surface has holes)");
     report_say(r, "area            %.8g mm2", m->area_mm2);
@@ -104,16 +117,66 @@ static exit_status examine(cli_job *job, const part *p)
     return EXIT_GOOD;
 }
 
+// Corners of the box around the solid voxels.
+static void grid_bounds(const sf_grid *grid, double bounds[6])
+{
+    sf_lattice lattice = sf_grid_lattice(grid);
+    sf_box box = sf_grid_bounds(grid);
+    const uint32_t x[2] = {box.x0, box.x1}, y[2] = {box.y0, box.y1}, z[2] = {box.z0, box.z1};
+    for (int i = 0; i < 2; i++) {
+        bounds[3 * i] = lattice.origin_mm[0] + x[i] * lattice.pitch_x_mm;
+        bounds[3 * i + 1] = lattice.origin_mm[1] + y[i] * lattice.pitch_y_mm;
+        bounds[3 * i + 2] = sf_lattice_layer_bottom(&lattice, z[i]);
+    }
+}
+
+static exit_status examine_grid(cli_job *job, const part *p)
+{
+    static const char *const absent[] = {"triangles",
+                                         "vertices",
+                                         "closed",
+                                         "boundary_edges",
+                                         "nonmanifold_edges",
+                                         "misoriented_edges",
+                                         "shells",
+                                         "flipped_shells",
+                                         "oriented",
+                                         "flipped",
+                                         "degenerate_triangles",
+                                         "area_mm2"};
+    report *r = job->report;
+    double bounds[6];
+    uint64_t solid = sf_grid_popcount(p->grid);
+    progress_phase("examining");
+    sf_mass mass = mass_of_grid(p->grid);
+    grid_bounds(p->grid, bounds);
+    for (int i = 0; solid == 0 && i < 6; i++) {
+        bounds[i] = NAN;
+    }
+    describe_part(job, p, "info");
+    for (size_t i = 0; i < sizeof absent / sizeof absent[0]; i++) {
+        report_null(r, absent[i]);
+    }
+    report_count(r, "solid_voxels", solid);
+    report_number(r, "volume_mm3", mass.volume_mm3);
+    report_mass(r, &mass, bounds);
+    if (solid == 0) {
+        report_say(r, "No voxel is solid.");
+        return EXIT_GOOD;
+    }
+    say_bounds(r, bounds);
+    report_say(r, "volume          %.8g mm3 (%llu voxels)", mass.volume_mm3,
+               (unsigned long long)solid);
+    say_place(r, "centre of mass", mass.com_mm, bounds);
+    return EXIT_GOOD;
+}
+
 exit_status verb_info(cli_job *job)
 {
     part p;
     exit_status status = part_read(job, &p);
-    if (status == EXIT_GOOD && p.kind != PART_MESH) {
-        status = job_fail(job, EXIT_INPUT, "%s is no mesh; 'sf check' describes stacks and scenes.",
-                          job->options.input);
-    }
     if (status == EXIT_GOOD) {
-        status = examine(job, &p);
+        status = p.kind == PART_MESH ? examine(job, &p) : examine_grid(job, &p);
     }
     part_release(&p);
     return status;

@@ -94,6 +94,39 @@ run info turned.stl --json
 awk -v low="$(value bounds_mm.low.2)" -v top="$(value bounds_mm.high.2)" -v high="$high" \
     'BEGIN { exit !(low * low < 1e-6 && (top - high) ^ 2 < 1e-6) }'
 ok $? "and writes the mesh that way up, on the bed"
+
+# A box of 12 x 20 x 30 mm, as a mesh and as voxels of 2 x 1 x 1.5 mm; inertia is V/12 (b^2 + c^2).
+cat >box.obj <<'OBJ'
+v 0 0 0
+v 12 0 0
+v 12 20 0
+v 0 20 0
+v 0 0 30
+v 12 0 30
+v 12 20 30
+v 0 20 30
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+OBJ
+run slice box.obj --pitch 2,1,1.5 -o box
+for part in box.obj box; do
+    run info $part --json
+    same "$(value volume_mm3) $(value com_mm.0) $(value com_mm.1) $(value com_mm.2)" "7200 6 10 15" "volume and centre of $part"
+    same "$(value inertia_mm5.0) $(value inertia_mm5.1) $(value inertia_mm5.2)" "780000 626400 326400" "inertia of $part"
+    same "$(value bounds_mm.low.0) $(value bounds_mm.high.1) $(value bounds_mm.high.2)" "0 20 30" "bounds of $part"
+done
+same "$(value solid_voxels) $(value lattice.layer_mm) $(value closed) $(value shells) $(value area_mm2)" \
+    "2400 1.5 null null null" "what voxels have, and what they have not"
+run info scene:garden --json
+same "$exit $(value lattice.nx)" "0 258" "info takes a scene"
+run info box.obj --up +x --json
+same "$(value bounds_mm.high.2) $(value inertia_mm5.2)" "12 780000" "info turns a mesh upright"
+exits 2 info box --up +x
+
 run check nothing.stl --json
 same "$(value error.exit)" 3 "a failure is a JSON object too"
 finish
