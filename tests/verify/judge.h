@@ -60,12 +60,15 @@ static inline int library_says_free(const sf_grid *grid, const sf_rule *rule, ui
 }
 
 // Flip each voxel that the verifier flipped, and judge the whole grid. Returns how many of them
-// left it support-free; `count` must have been judged.
+// left it support-free; `count` different ones must have been judged.
 static inline int agree_on_corruptions(sf_grid *grid, const sf_rule *rule, uint32_t bed, int count)
 {
     FILE *said = fopen(folder_path("said"), "r");
     int lines = 0, good = 0;
     unsigned x, y, z, verdict;
+    sf_grid *judged = NULL;
+    sf_lattice lattice = sf_grid_lattice(grid);
+    CHECK_EQ(sf_grid_create(&lattice, NULL, &judged), SF_OK);
     CHECK(said != NULL && fscanf(said, "support-free ") == 0);
     while (said != NULL && fscanf(said, "%u %u %u %u", &x, &y, &z, &verdict) == 4) {
         sf_slice slice = sf_grid_slice(grid, z);
@@ -73,10 +76,13 @@ static inline int agree_on_corruptions(sf_grid *grid, const sf_rule *rule, uint3
         CHECK_EQ(sf_slice_set(slice, x, y, !before), SF_OK);
         CHECK_EQ(verdict, library_says_free(grid, rule, bed));
         CHECK_EQ(sf_slice_set(slice, x, y, before), SF_OK);
+        CHECK_EQ(sf_slice_set(sf_grid_slice(judged, z), x, y, 1), SF_OK);
         good += verdict == 1;
         lines++;
     }
     CHECK_EQ(lines, count);
+    CHECK_EQ(sf_grid_popcount(judged), count);
+    sf_grid_destroy(judged);
     if (said != NULL) {
         fclose(said);
     }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // verify: is a stack of pictures support-free? Judged voxel by voxel, without code of libsf.
-//     verify STACK_DIR                       exit 0 support-free, 1 not, 3 no such stack
-//     verify STACK_DIR --corrupt N --seed S  flip N voxels, one at a time; judge by what is near
-//     and
-//                                            by whole layers; print x y z and 1 support-free, 0 not
+//     verify STACK_DIR [--corrupt N --seed S]  exit 0 support-free, 1 not, 3 no such stack; flip N
+// different voxels, each alone, judge by what is near and by whole layers, print x y z and 1 or 0.
 // Layers are layer_00000.png ... (1-bit grey, not black is solid, top row largest y), the rule is
 // in stack.json. A voxel must have one in the layer below that may carry it: one of nine (box3),
 // within the step's ellipse (disk), or within its octagon: with P_k the reach from layer 0 to k,
@@ -22,7 +20,7 @@ static long layer;                                 // voxels of a picture
 static int nx, ny, nz, bed_given = -1, widest = 1; // no step reaches farther, in voxels
 static char kind;                                  // 'b'ox3, 'o'ctagon, 'd'isk
 static double (*step)[4];     // from each layer: reach along x, along y; A and A + B
-static unsigned char *voxels; // pictures, one after the other
+static unsigned char *voxels; // pictures, one after the other; then: which were drawn to flip
 
 static int solid(int x, int y, int z)
 {
@@ -74,12 +72,14 @@ static long first_fault(int x, int y, int r, int z0, int z1)
 static int corrupt(long count, unsigned long long seed)
 {
     long end = layer * nz, wrong = 0;
-    for (long i = 0; i < count; i++) {
+    for (long i = 0; i < count && i < end; i++) {
         seed = seed * 6364136223846793005u + 1442695040888963407u;
         long v = (long)((seed >> 8) % (unsigned long long)end), stride = seed >> 63 ? layer : 1;
-        while (seed >> 59 && v + stride < end && !voxels[v] == !voxels[v + stride]) {
-            v += stride; // mostly to a surface, where a flip matters
+        while (voxels[end + v] ||
+               (seed >> 59 && v + stride < end && !voxels[v] == !voxels[v + stride])) {
+            v = voxels[end + v] ? (v + 1) % end : v + stride; // mostly to a surface: it matters
         }
+        voxels[end + v] = 1;
         int x = (int)(v % nx), y = ny - 1 - (int)(v / nx % ny), z = (int)(v / layer), old = bed();
         int before = voxels[v], top = (z > old ? z : old) + 2, all = nx + ny;
         voxels[v] = !before;
@@ -109,7 +109,7 @@ static int load(const char *folder)
                     "bed_layer", &bed_layer) ||
         strcmp(format, "libsf-stack") || !strchr("bdo", kind = *word) || nx < 1 || ny < 1 ||
         nz < 1 || (step = calloc((size_t)nz, sizeof *step)) == NULL ||
-        (voxels = calloc((size_t)(layer = (long)nx * ny), (size_t)nz)) == NULL) {
+        (voxels = calloc((size_t)(layer = (long)nx * ny), 2 * (size_t)nz)) == NULL) {
         return 0;
     }
     bed_given = json_is_integer(bed_layer) ? (int)json_integer_value(bed_layer) : -1;
