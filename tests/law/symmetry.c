@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // TRUST items 20, 21, 22, 71: trimming and moving, mirroring, turning, scaling. It commutes with
 // what leaves the rule alone: shifts in the plane, mirror images, and quarter turns where the
-// element has them; not with turning upside down, nor, where steps differ, with a shift upwards.
-// Angles must be defined per layer because disks do not add up. And being connected to the bed is
-// neither needed nor enough.
+// element has them; not with any other turn, nor upside down, nor, where steps differ, with a shift
+// upwards. Angles must be defined per layer because disks do not add up. And being connected to the
+// bed is neither needed nor enough.
 
 #include "tiny.h"
 
@@ -58,6 +58,49 @@ static void false_symmetries(void)
     stack_parse(&s, "#..|...|...");
     CHECK(stack_is_support_free(&s, &box, 0));
     CHECK(!commutes(&s, &box, UPSIDE_DOWN));
+}
+
+// Turned by an eighth about the middle: solid where the centre, turned back, lies in a solid voxel.
+static void turn_an_eighth(stack *result, const stack *s)
+{
+    stack_clear(result, s->nx, s->ny, s->nz);
+    for (int i = 0; i < stack_count(s); i++) {
+        double x = i % s->nx - 0.5 * (s->nx - 1), y = i / s->nx % s->ny - 0.5 * (s->ny - 1);
+        double from_x = (x + y) / sqrt(2.0) + 0.5 * s->nx;
+        double from_y = (y - x) / sqrt(2.0) + 0.5 * s->ny;
+        result->solid[i] =
+            (uint8_t)stack_get(s, (int)floor(from_x), (int)floor(from_y), i / (s->nx * s->ny));
+    }
+}
+
+// 21: any other turn. A leaning post of 3 x 3 voxels may step along the diagonal, which is 1.41
+// voxels, by the 3x3 square and by no other rule of that height; turned, it would have to step as
+// far along x. What is trimmed first and then turned is whole; turned first, it loses most of its
+// top.
+static void false_any_turn(void)
+{
+    static stack s, turned, kept, left, right;
+    sf_rule box = sf_rule_box3();
+    stack_clear(&s, 21, 21, 8);
+    for (int z = 0; z < 8; z++) {
+        for (int i = 0; i < 9; i++) {
+            *stack_at(&s, 5 + z + i % 3, 5 + z + i / 3, z) = 1;
+        }
+    }
+    CHECK(stack_is_support_free(&s, &box, 0));
+    library_trim(&kept, &s, &box, 0);
+    turn_an_eighth(&left, &kept);
+    turn_an_eighth(&turned, &s);
+    library_trim(&right, &turned, &box, 0);
+    CHECK(stack_equal(&left, &turned));
+    CHECK(!stack_equal(&left, &right));
+    CHECK(!stack_is_support_free(&turned, &box, 0));
+    int whole = 0, rest = 0;
+    for (int i = 7 * 21 * 21; i < 8 * 21 * 21; i++) {
+        whole += left.solid[i];
+        rest += right.solid[i];
+    }
+    CHECK(whole > 0 && 2 * rest < whole);
 }
 
 static void shift(stack *result, const stack *s, int dx, int dy, int dz)
@@ -204,6 +247,7 @@ int main(void)
 {
     TEST(mirror_images_and_quarter_turns);
     TEST(false_symmetries);
+    TEST(false_any_turn);
     TEST(shifts);
     TEST(false_octagon_shifted_up);
     TEST(false_disks_add_up);
