@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Why: the meshes of shared/data become the voxels that issue 2 asks for: closed ones keep their
-// volume at resolution 512 within 0.5 %, the horse (all normals inward) is its own flip, blocks
-// with a hole or turned triangles are whole blocks, and nothing broken is refused. Procedural
-// twins: voxelize_auto, voxelize_exact, voxelize_open.
+// Why: the meshes of shared/data become the voxels that issue 2 asks for: all closed ones keep
+// their volume at resolution 512 within 0.5 %, or where a lattice or the shape itself forbids that,
+// what can be said exactly; the horse (all normals inward) is its own flip, blocks with a hole or
+// turned triangles are whole blocks, and nothing broken is refused. Procedural twins:
+// voxelize_auto, voxelize_exact, voxelize_open.
 
 #include <sf/io.h>
 
 #include "solids.h"
+
+#include <dirent.h>
 
 static sf_status file_read(void *user, void *data, size_t capacity, size_t *size)
 {
@@ -71,35 +74,114 @@ static double voxel_volume(const char *path, uint32_t resolution, sf_voxelize_re
     return (double)report->solid_voxels * p * p * p;
 }
 
-static void closed_meshes_keep_their_volume(void)
-{
-    static const char *const paths[] = {
-        "characters/armadillo.obj",
-        "characters/horse.ply",
-        "characters/spheres_outer.stl",
-        "characters/human_man.obj",
-        "characters/koala_low_resolution.obj",
-        "characters/penguin_hr.obj",
-        "characters/spot_low_resolution.obj",
-        "parts/20mmbox-LF.stl",
-        "parts/A_upsidedown.obj",
+static const char *const closed_paths[] = {
+    "characters/armadillo.obj",
+    "characters/horse.ply",
+    "characters/spheres_outer.stl",
+    "characters/human_man.obj",
+    "characters/koala_low_resolution.obj",
+    "characters/penguin_hr.obj",
+    "characters/spot_low_resolution.obj",
+    "parts/20mmbox-LF.stl",
+    "parts/20mmbox-CRLF.stl",
+    "parts/20mmbox-nonstandard.stl",
+    "parts/A_upsidedown.obj",
+    "parts/V_standing.obj",
+    "parts/angle_block.STL",
+    "parts/cube_with_concave_hole_enlarged_standing.obj",
+    "parts/ksr_fdmtest_v4.stl",
+    "broken/bad-stl-tardis.stl",
+    "broken/block-good.stl",
+    "broken/block-remove-unconnected-good.stl",
+    "broken/cubes-touching.stl",
+    "cages/catmark_cube.obj",
+    "cages/catmark_cube_creases0.obj",
+    "cages/catmark_cube_creases0_level0.obj",
+    "cages/catmark_cube_creases0_level1.obj",
+    "cages/catmark_cube_creases0_level2.obj",
+    "cages/catmark_cube_level0.obj",
+    "cages/catmark_cube_level1.obj",
+    "cages/catmark_cube_level2.obj",
+    "cages/spot_control_mesh.obj",
+};
+#define CLOSED_COUNT (sizeof closed_paths / sizeof closed_paths[0])
 
-        "parts/V_standing.obj",
-        "parts/angle_block.STL",
-        "parts/cube_with_concave_hole_enlarged_standing.obj",
-        "parts/ksr_fdmtest_v4.stl",
-        "broken/block-good.stl",
-        "broken/block-remove-unconnected-good.stl",
-    };
+// Closed, but no lattice or no volume keeps them within 0.5 %: each has a case of its own.
+static const char *const special_paths[] = {
+    "parts/U_overhang.obj",                   // a_wall_between_voxels
+    "slices/pyphotonfile_reference.stl",      // a_plate_of_three_layers
+    "broken/self_intersectA.obj",             // what_overlaps_counts_once
+    "broken/block-normal-directions-bad.stl", // broken_blocks_are_blocks
+};
+
+static int is_listed(const char *path)
+{
+    int found = 0;
+    for (size_t i = 0; i < CLOSED_COUNT; i++) {
+        found += strcmp(closed_paths[i], path) == 0;
+    }
+    for (size_t i = 0; i < sizeof special_paths / sizeof special_paths[0]; i++) {
+        found += strcmp(special_paths[i], path) == 0;
+    }
+    return found;
+}
+
+// Whether a file is a mesh that can be read, and is closed.
+static int is_closed(const char *path)
+{
+    char name[1024];
+    snprintf(name, sizeof name, "%s/%s", getenv("SF_DATA"), path);
+    FILE *file = fopen(name, "rb");
+    sf_mesh *mesh = NULL;
+    sf_topology topology = {.closed = 0};
+    if (file != NULL) {
+        sf_source source = {file_read, file};
+        if (sf_mesh_read(source, SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL) == SF_OK) {
+            CHECK_EQ(sf_mesh_analyze(sf_mesh_get_view(mesh), NULL, &topology), SF_OK);
+        }
+        fclose(file);
+    }
+    sf_mesh_destroy(mesh);
+    return topology.closed;
+}
+
+// No file is left out: not one that is added to the folders later, either.
+static void all_closed_meshes_are_listed(void)
+{
+    static const char *const folders[] = {"broken", "cages", "characters", "parts", "slices"};
     if (getenv("SF_DATA") == NULL) {
         SKIP("SF_DATA is not set");
     }
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        char name[1024];
+        snprintf(name, sizeof name, "%s/%s", getenv("SF_DATA"), folders[i]);
+        DIR *entries = opendir(name);
+        CHECK(entries != NULL);
+        for (struct dirent *e; entries != NULL && (e = readdir(entries)) != NULL;) {
+            char path[512];
+            snprintf(path, sizeof path, "%s/%s", folders[i], e->d_name);
+            if (e->d_name[0] != '.' && is_closed(path) != is_listed(path)) {
+                printf("# %s\n", path);
+                CHECK(!"a closed mesh is listed once, and no other");
+            }
+        }
+        if (entries != NULL) {
+            closedir(entries);
+        }
+    }
+}
+
+static void closed_meshes_keep_their_volume(void)
+{
+    if (getenv("SF_DATA") == NULL) {
+        SKIP("SF_DATA is not set");
+    }
+    for (size_t i = 0; i < CLOSED_COUNT; i++) {
         sf_voxelize_report report;
-        double mesh, voxels = voxel_volume(paths[i], 512, &report, &mesh);
+        double mesh, voxels = voxel_volume(closed_paths[i], 512, &report, &mesh);
         CHECK_NEAR(voxels, fabs(mesh), 0.005 * fabs(mesh));
-        CHECK_EQ(report.flipped, strcmp(paths[i], "characters/horse.ply") == 0);
-        printf("# %s: %.6f of the mesh\n", paths[i], voxels / fabs(mesh));
+        CHECK_EQ(report.flipped, strcmp(closed_paths[i], "characters/horse.ply") == 0);
+        printf("# %s: %.6f of the mesh\n", closed_paths[i], voxels / fabs(mesh));
     }
 }
 
@@ -123,6 +205,47 @@ static void a_wall_between_voxels(void)
         inner += c > 1 && c < 10;
     }
     CHECK_EQ(report.solid_voxels, x * (x * outer - inner * inner));
+}
+
+// A plate of 90 x 50 x 0.05 mm under a relief of 0.45 mm. A voxel is 90/512 mm, so three layers
+// have their centres in it, all three in the relief: three of its upper face, and nothing of the
+// plate.
+static void a_plate_of_three_layers(void)
+{
+    if (getenv("SF_DATA") == NULL) {
+        SKIP("SF_DATA is not set");
+    }
+    sf_voxelize_report report;
+    double volume,
+        voxels = voxel_volume("slices/pyphotonfile_reference.stl", 512, &report, &volume);
+    double relief = (volume - 90.0 * 50.0 * 0.05) / 0.45, expected = 3 * (90.0 / 512) * relief;
+    CHECK_NEAR(relief, 3613.3, 0.1);
+    CHECK_NEAR(voxels, expected, 0.005 * expected);
+}
+
+// A mesh that runs through itself has the overlap twice in its volume, and once in its voxels. The
+// voxels that lie in an odd number of its parts tell the one from the other.
+static void what_overlaps_counts_once(void)
+{
+    if (getenv("SF_DATA") == NULL) {
+        SKIP("SF_DATA is not set");
+    }
+    sf_mesh *mesh = read_mesh("broken/self_intersectA.obj");
+    if (mesh == NULL) {
+        return;
+    }
+    sf_mesh_view view = sf_mesh_get_view(mesh);
+    sf_lattice lattice = lattice_around(view, 512);
+    sf_voxelize_report once, odd;
+    sf_mass mass;
+    CHECK_EQ(sf_mesh_measure(view, &mass), SF_OK);
+    sf_grid_destroy(solid_voxelize(view, &lattice, SF_FILL_AUTO, &once));
+    sf_grid_destroy(solid_voxelize(view, &lattice, SF_FILL_PARITY, &odd));
+    double voxel = pow(lattice.pitch_x_mm, 3), twice = 2.0 * (double)once.solid_voxels;
+    CHECK(once.solid_voxels > odd.solid_voxels);
+    CHECK_NEAR((twice - (double)odd.solid_voxels) * voxel, mass.volume_mm3,
+               0.005 * mass.volume_mm3);
+    sf_mesh_destroy(mesh);
 }
 
 static void the_horse_is_its_own_flip(void)
@@ -193,8 +316,11 @@ static void broken_meshes_give_something(void)
 
 int main(void)
 {
+    TEST(all_closed_meshes_are_listed);
     TEST(closed_meshes_keep_their_volume);
     TEST(a_wall_between_voxels);
+    TEST(a_plate_of_three_layers);
+    TEST(what_overlaps_counts_once);
     TEST(the_horse_is_its_own_flip);
     TEST(broken_blocks_are_blocks);
     TEST(broken_meshes_give_something);
