@@ -78,11 +78,12 @@ static int load(const char *folder) {
 // Units that a voxel of layer k pays to carry one that is (dx, dy) off in the layer above; or -1.
 static int price(int dx, int dy, int k) {
     double *s = step[k], x = abs(dx), y = abs(dy), q = kind == 's' ? 0x1p24 : -256; // up or down
-    double rx = ceil(s[2] / q) * q * 0x1p-24, ry = ceil(s[3] / q) * q * 0x1p-24;
+    double e = 16 * (q > 0), u = units[0], v = units[1], far = 5 * fmax(u * u, v * v);
+    double rx = ceil((s[2] - e) / q) * q * 0x1p-24, ry = ceil((s[3] - e) / q) * q * 0x1p-24;
     int may = x <= rx && y <= ry && x * x * ry * ry + y * y * rx * rx <= rx * rx * ry * ry;
-    may = kind == 's' ? may || (x < 3 && y < 3 && x + y < 4) : may;
+    may = kind == 's' ? may || x * x * u * u + y * y * v * v <= far : may;
     may = strchr("bo", kind) ? x <= s[4] && y <= s[4] && x + y <= s[5] : may;
-    return may ? ceil(sqrt(x * x * units[0] * units[0] + y * y * units[1] * units[1])) : -1;
+    return may ? ceil(sqrt(x * x * u * u + y * y * v * v)) : -1;
 }
 static void make_numbers(double tangent, double span, double anchor) { // top > 255: no such rule
     double a = 0, b = 0, sum = 0, lost = 0, high = 0, least = fmin(pitch[0], pitch[1]);
@@ -95,7 +96,7 @@ static void make_numbers(double tangent, double span, double anchor) { // top > 
             s[i + 2] = Q24(mm * tangent / pitch[i]);
             up[i] = heights ? Q24((sum + lost) * tangent / pitch[i]) : s[i] + s[i + 2];
             if (kind == 's') s[i + 2] = up[i] - s[i];
-            wide = fmin(fmax(wide, s[i + 2] * 0x1p-24 + 3), 300);
+            wide = fmin(fmax(wide, s[i + 2] * 0x1p-24 + 3 * pitch[!i] / least), 300);
         }
         a = floor(*up * floor(cos(acos(-1) / 8) * 0x1p32) * 0x1p-56 + 0.5);
         b = floor(a * floor((sqrt(2) - 1) * 0x1p32) * 0x1p-32 + 0.5);
@@ -104,8 +105,7 @@ static void make_numbers(double tangent, double span, double anchor) { // top > 
         if (k + 1 < nz && mm > high) high = mm, tall = k;
     }
     for (top = kind == 's' ? 256 : 1; u > 3 && top > 255; u--) {
-        top = 0, units[0] = -floor(-(pitch[0] / least * u) * (1 - 0x1p-40));
-        units[1] = -floor(-(pitch[1] / least * u) * (1 - 0x1p-40));
+        for (int i = top = 0; i < 2; i++) units[i] = -floor(-pitch[i] / least * u * (1 - 0x1p-40));
         for (int i = 0; i < wide * wide; i++) top = fmax(top, 1 + price(i % wide, i / wide, tall));
     }
     pitch[2] = pitch[3] = sqrt(pitch[0] * pitch[0] + pitch[1] * pitch[1]);

@@ -8,7 +8,7 @@
 
 sf_task sf_task_default(void)
 {
-    sf_task task = {sizeof(sf_task), NULL, NULL, NULL, 0};
+    sf_task task = {sizeof(sf_task), NULL, NULL, NULL, 0, NULL};
     return task;
 }
 
@@ -21,7 +21,13 @@ void sf_task_cancel(sf_task *task)
 
 int sf_task_is_cancelled(const sf_task *task)
 {
-    return task != NULL && __atomic_load_n(&task->cancel_state, __ATOMIC_RELAXED) != 0;
+    // A part is cancelled with the whole that it belongs to.
+    for (; task != NULL; task = task->whole) {
+        if (__atomic_load_n(&task->cancel_state, __ATOMIC_RELAXED) != 0) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 sfi_progress sfi_progress_begin(sf_task *task)
@@ -46,14 +52,11 @@ void sfi_progress_report(sfi_progress *progress, uint64_t done, uint64_t total)
     }
 }
 
-// Report from + fraction * (to - from) of the whole, and pass a cancel on.
+// Report from + fraction * (to - from) of the whole.
 static void report_part(void *user, double fraction)
 {
     sfi_part *part = user;
     double done = part->from + fraction * (part->to - part->from);
-    if (sf_task_is_cancelled(part->whole->task)) {
-        sf_task_cancel(&part->task);
-    }
     sfi_progress_report(part->whole, (uint64_t)(done * 1e6), 1000000);
 }
 
@@ -71,10 +74,8 @@ void sfi_part_begin(sfi_part *part, sfi_progress *whole, double from, double to)
     part->task.user = part;
     part->whole = whole;
     part->from = from;
+    part->task.whole = whole->task;
     part->to = to;
-    if (sf_task_is_cancelled(whole->task)) {
-        sf_task_cancel(&part->task);
-    }
 }
 
 void sfi_task_for(sf_task *task, size_t count, sf_task_body body, void *context)

@@ -19,8 +19,8 @@ sfi_progress sfi_progress_begin(sf_task *task);
 void sfi_progress_report(sfi_progress *progress, uint64_t done, uint64_t total);
 
 // A call within a call: its task reports to a stretch of the whole's progress, uses the host's
-// threads, and is cancelled when the whole is, at its next report. Hand &part.task on; part must
-// stay where it is while that call runs.
+// threads, and is cancelled when the whole is. Hand &part.task on; part must stay where it is
+// while that call runs.
 typedef struct sfi_part {
     sf_task task;
     sfi_progress *whole;

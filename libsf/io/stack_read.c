@@ -20,6 +20,7 @@
 
 // What stack.json says. heights are the reader's own.
 typedef struct stack_document {
+    uint32_t version;
     sf_lattice lattice;
     double *heights;
     sf_stack_info info;
@@ -109,8 +110,9 @@ static sf_status read_lattice(const json_t *root, const sf_allocator *allocator,
     return SF_OK;
 }
 
-static sf_status read_bridge(const json_t *rule, sf_stack_info *info, sf_fault *fault)
+static sf_status read_bridge(const json_t *rule, stack_document *document, sf_fault *fault)
 {
+    sf_stack_info *info = &document->info;
     double bridge[2] = {0.0, 0.0};
     const json_t *found = json_object_get(rule, "bridge_mm");
     if (found != NULL && !(get_numbers(rule, "bridge_mm", bridge, 2) && bridge[0] > 0 &&
@@ -118,6 +120,9 @@ static sf_status read_bridge(const json_t *rule, sf_stack_info *info, sf_fault *
                            bridge[1] <= SFI_STACK_BRIDGE_MAX)) {
         return document_fault(fault, SF_ERR_FORMAT,
                               "bridge_mm of the rule is two lengths, a span above 0 and an anchor");
+    }
+    if (found != NULL && document->version < SFI_STACK_VERSION_BRIDGED) {
+        return document_fault(fault, SF_ERR_FORMAT, "a rule with bridge_mm needs version 2");
     }
     info->bridge_span_mm = bridge[0];
     info->bridge_anchor_mm = bridge[1];
@@ -146,7 +151,7 @@ static sf_status read_rule(const json_t *root, stack_document *document, sf_faul
             fault, SF_ERR_FORMAT,
             "rule needs angle_rad from 5 to 85 degrees and a bed_layer of the stack");
     }
-    SF_TRY(read_bridge(object, info, fault));
+    SF_TRY(read_bridge(object, document, fault));
     info->has_rule = 1;
     return SF_OK;
 }
@@ -180,13 +185,14 @@ static sf_status read_root(const json_t *root, const sf_allocator *allocator,
     if (!get_count(root, "version", UINT32_MAX, &version) || version < SFI_STACK_VERSION ||
         version > SFI_STACK_VERSION_BRIDGED) {
         return document_fault(fault, SF_ERR_UNSUPPORTED,
-                              "the version is not 1; a newer libsf wrote this stack");
+                              "the version is neither 1 nor 2; a newer libsf wrote this stack");
     }
     if (!is_text(root, "units", "mm") || !is_text(root, "solid", "white") ||
         !is_text(root, "row_order", "top_is_max_y")) {
         return document_fault(fault, SF_ERR_UNSUPPORTED,
                               "units must be mm, solid white, and row_order top_is_max_y");
     }
+    document->version = version;
     SF_TRY(read_lattice(root, allocator, document, fault));
     SF_TRY(read_rule(root, document, fault));
     return read_layers(root, document, fault);

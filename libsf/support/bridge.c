@@ -8,10 +8,12 @@
 // bounds it on both ends and it is no longer than the span. Cells of A that lie in it were alive
 // anyway.
 //
-// Most layers have nothing to bridge, and none of this is done for them. Else the opening is made
-// by words: eroding by a run of length a is log2 a steps of "AND with itself, shifted along d", and
-// dilating back as many of "OR". Gaps are then found at their beginnings, solid outside A* with A*
-// just before, also by words; each is walked to its end, which takes the span at most.
+// Most layers have nothing to bridge, and none of this is done for them; in others it is done in a
+// window around what hangs, as much wider as a gap and its anchor are long, so that every gap with
+// something hanging in it lies in the window with both its ends. The opening is made by words:
+// eroding by a run of length a is log2 a steps of "AND with itself, shifted along d", and dilating
+// back as many of "OR". Gaps are then found at their beginnings, solid outside A* with A* just
+// before, also by words; each is walked to its end, which takes the span at most.
 //
 // Freestanding: integers, no memory but the caller's.
 //
@@ -19,6 +21,7 @@
 
 #include "support/carry.h"
 #include "support/row.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 // A direction of bridging and its limits.
@@ -130,6 +133,35 @@ static void bridge_along(const direction *d, sf_slice solid, sf_slice own, sf_sl
     }
 }
 
+// The rectangle, by whole words, around the voxels of solid outside own.
+static sf_rect hanging_bounds(sf_slice solid, sf_slice own)
+{
+    sf_rect bounds = {UINT32_MAX, UINT32_MAX, 0, 0};
+    size_t words = sfi_row_words(solid.width);
+    for (uint32_t y = 0; y < solid.height; y++) {
+        const uint64_t *in = sfi_slice_row(solid, y), *held = sfi_slice_row(own, y);
+        for (size_t i = 0; i < words; i++) {
+            uint64_t tail = i + 1 < words ? ~UINT64_C(0) : sfi_tail_mask(solid.width);
+            if ((in[i] & ~held[i] & tail) != 0) {
+                uint32_t x0 = (uint32_t)i * 64, x1 = solid.width - x0 > 64 ? x0 + 64 : solid.width;
+                bounds.x0 = x0 < bounds.x0 ? x0 : bounds.x0;
+                bounds.x1 = x1 > bounds.x1 ? x1 : bounds.x1;
+                bounds.y0 = y < bounds.y0 ? y : bounds.y0;
+                bounds.y1 = y + 1;
+            }
+        }
+    }
+    return bounds;
+}
+
+uint32_t sfi_bridge_margin(const sf_bridge *b)
+{
+    uint32_t x = (uint32_t)b->span_x + b->anchor_x, y = (uint32_t)b->span_y + b->anchor_y;
+    uint32_t d = (uint32_t)b->span_diagonal + b->anchor_diagonal, most = x > y ? x : y;
+    most = d > most ? d : most;
+    return sfi_bridge_any(b) ? most + 1 : 0;
+}
+
 void sfi_bridge_gaps(const sf_bridge *bridge, sf_slice solid, sf_slice own, sf_slice anchored,
                      sf_slice gaps)
 {
@@ -139,18 +171,27 @@ void sfi_bridge_gaps(const sf_bridge *bridge, sf_slice solid, sf_slice own, sf_s
                                      {1, 1, b->span_diagonal, b->anchor_diagonal},
                                      {-1, 1, b->span_diagonal, b->anchor_diagonal}};
     size_t words = sfi_row_words(solid.width);
-    uint64_t hanging = 0;
     for (uint32_t y = 0; y < solid.height; y++) {
         for (size_t i = 0; i < words; i++) {
             sfi_slice_row(gaps, y)[i] = 0;
-            hanging |= sfi_slice_row(solid, y)[i] & ~sfi_slice_row(own, y)[i];
         }
     }
-    for (int i = 0; hanging != 0 && i < 4; i++) {
+    sf_rect part = hanging_bounds(solid, own);
+    if (sfi_rect_is_empty(part)) {
+        return;
+    }
+    uint32_t margin = sfi_bridge_margin(bridge);
+    part = sfi_rect_align(sfi_rect_grow(part, margin, margin, solid), solid);
+    solid = sfi_slice_window(solid, part);
+    own = sfi_slice_window(own, part);
+    anchored = sfi_slice_window(anchored, part);
+    gaps = sfi_slice_window(gaps, part);
+    for (int i = 0; i < 4; i++) {
         if (directions[i].span > 0) {
             bridge_along(&directions[i], solid, own, anchored, gaps);
         }
     }
+    words = sfi_row_words(solid.width);
     for (uint32_t y = 0; y < solid.height; y++) {
         for (size_t i = 0; i < words; i++) {
             sfi_slice_row(gaps, y)[i] &= ~sfi_slice_row(own, y)[i];

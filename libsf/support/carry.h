@@ -86,6 +86,9 @@ static inline int sfi_bridge_any(const sf_bridge *b)
     return (b->span_x | b->span_y | b->span_diagonal) != 0;
 }
 
+// How far, in voxels along x or y, a bridge with its anchors reaches at most; 0 without bridges.
+uint32_t sfi_bridge_margin(const sf_bridge *b);
+
 // Whether a rule is nothing but an element for each step, so that a layer's bits are all there is
 // to know of it.
 static inline int sfi_rule_is_element(const sf_rule *rule)

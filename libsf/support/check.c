@@ -19,7 +19,8 @@
 // A push checks everything, the rule's step included, before it paints anything; so one that fails
 // can be put right and pushed again.
 //
-// Memory: checker, four slices, then the rows and runs of finding.c, each on a 64-byte boundary.
+// Memory: checker, four fronts, with bridges the scratch of their steps and the waiting slice, then
+// the rows and runs of finding.c, each on a 64-byte boundary.
 // Freestanding: integers, no allocation, no libc but memory moves. A printer's chip can run it.
 //
 // Source: T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
@@ -42,7 +43,8 @@ struct sf_checker {
     sfi_front carried, kept;     // C and T of the one being pushed
     sf_slice painted;            // bridges: the layer being pushed
     uint64_t below_lost;         // voxels of S \ T of the last layer
-    sf_check_report report;      // all but the findings' counts
+    int is_apart;           // whether T of the last layer differs from S, or in what it can spare
+    sf_check_report report; // all but the findings' counts
     sfi_finder finder;
 };
 
@@ -242,11 +244,16 @@ static sf_status paint(const source *s, sf_slice dst)
 // Pushing
 // ---------------------------------------------------------------------------------------------
 
-// Whether T of the last layer differs from S. Under slack it may where nothing was lost in that
-// layer, but something below: by what its voxels have to spare.
-static int is_apart(const sf_checker *c)
+// Whether what T of the last layer has to spare differs from what S has.
+static int has_other_slack(const sf_checker *c)
 {
-    return c->below_lost > 0 || (c->below.slack != NULL && c->report.trimmed_voxels > 0);
+    size_t codes = sfi_slack_stride(c->below.alive.width) * c->below.alive.height;
+    for (size_t i = 0; c->below.slack != NULL && i < codes; i++) {
+        if (c->below.slack[i] != c->below_kept.slack[i]) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 // The step from layer k - 1 to layer k: C and T. solid may be the slice `carried`.
@@ -256,7 +263,7 @@ static sf_status carry(sf_checker *c, uint32_t k, uint32_t bed, sf_slice solid)
         sf_slice nothing = c->kept.alive;
         clear(nothing);
         SF_TRY(sfi_carry_bed(&c->carrier, nothing, c->kept));
-    } else if (is_apart(c)) {
+    } else if (c->is_apart) {
         SF_TRY(
             sfi_carry(&c->carrier, k, &c->below_kept, solid, SFI_NO_SLICE, c->kept, SFI_NO_SLICE));
     }
@@ -345,13 +352,15 @@ static sf_status push(sf_checker *c, const source *s)
         SF_TRY(hang(c));
     } else {
         SF_TRY(carry(c, k, bed, solid));
-        if (k > bed && !is_apart(c)) {
+        if (k > bed && !c->is_apart) {
             SF_TRY(keep_carried(c));
         }
     }
     SF_TRY(go_on_with(c, s));
     c->report.bed_layer = bed;
     take_in(c, k, &element);
+    // Under slack a loss below can still tell where in this layer nothing was lost.
+    c->is_apart = c->below_lost > 0 || (c->is_apart && has_other_slack(c));
     return SF_OK;
 }
 

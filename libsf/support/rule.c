@@ -42,6 +42,9 @@
 #include "base/status.h"
 
 #define REACH_LARGEST ((uint64_t)SF_REACH_MAX * SFI_REACH_ONE)
+// A step that is the difference of two sums, each rounded, can be this much more than the step
+// itself.
+#define STEP_SLACK 16u
 
 sf_rule sf_rule_box3(void)
 {
@@ -116,36 +119,59 @@ static void octagon(uint64_t reach_below, uint64_t reach_above, sf_element *elem
     }
 }
 
-// A reach in whole voxels, rounded up, as an ellipse takes its radius.
-static uint64_t whole_q16(uint64_t reach_q24)
+// A reach in whole voxels, rounded up but for what a difference of rounded sums may be too much.
+static uint64_t whole_reach(uint64_t reach_q24)
 {
-    return (reach_q24 + SFI_REACH_ONE - 1) >> 24 << 16;
+    return (reach_q24 + SFI_REACH_ONE - 1 - STEP_SLACK) >> 24;
+}
+
+// The largest dx >= from with (dx * x)^2 + dy_units^2 <= limit.
+static uint32_t widest_within(uint32_t from, uint64_t x, uint64_t dy_units, uint64_t limit)
+{
+    uint32_t dx = from;
+    while ((dx + 1) * x * ((dx + 1) * x) + dy_units * dy_units <= limit) {
+        dx++;
+    }
+    return dx;
 }
 
 // All that a step under slack can reach: the ellipse of its reach, rounded up, for a chain to keep
-// up with the reach along each axis; and the 5x5 without corners.
-static sf_status slack_element(uint64_t x_q24, uint64_t y_q24, sf_element *element)
+// up with the reach along each axis; and all within a knight's move of the longer pitch, which on
+// square pixels is the 5x5 without its corners.
+sf_status sfi_slack_element(const sf_rule *rule, uint64_t x_q24, uint64_t y_q24,
+                            sf_element *element)
 {
-    static const uint16_t around[3] = {2, 2, 1};
-    SF_TRY(sf_element_ellipse(whole_q16(x_q24), whole_q16(y_q24), element));
-    for (uint16_t dy = 0; dy < 3; dy++) {
+    uint64_t x = rule->slack_x, y = rule->slack_y, longer = x > y ? x : y;
+    uint64_t limit = 5 * longer * longer;
+    SF_TRY(sf_element_ellipse(whole_reach(x_q24) << 16, whole_reach(y_q24) << 16, element));
+    for (uint32_t dy = 0; dy * y * (dy * y) <= limit; dy++) {
         if (dy > element->reach_y) {
             element->half_width[dy] = 0;
+            element->reach_y = (uint16_t)dy;
         }
-        if (element->half_width[dy] < around[dy]) {
-            element->half_width[dy] = around[dy];
-        }
+        uint32_t dx = widest_within(element->half_width[dy], x, dy * y, limit);
+        element->half_width[dy] = (uint16_t)dx;
     }
-    element->reach_y = element->reach_y < 2 ? 2 : element->reach_y;
     return SF_OK;
 }
 
-// Whether the numbers that slack counts in are there. The last byte but one is for the cap: a code
-// is 1 + slack.
+// Whether the numbers that slack counts in are there. Units are short enough for no step within the
+// cap to reach farther than SFI_SLACK_REACH_MAX, and long enough for the cap, with 1 more, to fit a
+// byte.
 static int is_slack_good(const sf_rule *rule)
 {
+    uint64_t x = rule->slack_x, y = rule->slack_y, shorter = x < y ? x : y, longer = x < y ? y : x;
+    uint64_t most = (SFI_SLACK_REACH_MAX + 1) * shorter;
     return rule->kind != SF_RULE_SLACK ||
-           (rule->slack_x > 0 && rule->slack_y > 0 && rule->slack_cap > 0 && rule->slack_cap < 255);
+           (5 * longer * longer < most * most && rule->slack_x >= SFI_SLACK_UNITS_MIN &&
+            rule->slack_y >= SFI_SLACK_UNITS_MIN && rule->slack_x <= SFI_SLACK_CAP_MAX &&
+            rule->slack_y <= SFI_SLACK_CAP_MAX && rule->slack_cap > 0 &&
+            rule->slack_cap <= SFI_SLACK_CAP_MAX);
+}
+
+static int is_slack_reach_good(const sf_rule *rule, uint64_t reach_q24)
+{
+    return rule->kind != SF_RULE_SLACK || whole_reach(reach_q24) <= SFI_SLACK_REACH_MAX;
 }
 
 static int is_bridge_good(const sf_bridge *b)
@@ -157,10 +183,19 @@ static int is_bridge_good(const sf_bridge *b)
 
 static int is_uniform_rule_good(const sf_rule *rule)
 {
-    if (rule->reach_x_q24 > REACH_LARGEST || rule->reach_y_q24 > REACH_LARGEST) {
+    if (rule->reach_x_q24 > REACH_LARGEST || rule->reach_y_q24 > REACH_LARGEST ||
+        !is_slack_reach_good(rule, rule->reach_x_q24) ||
+        !is_slack_reach_good(rule, rule->reach_y_q24)) {
         return 0;
     }
     return rule->kind != SF_RULE_OCTAGON || rule->reach_x_q24 == rule->reach_y_q24;
+}
+
+// Whether two sums of reaches make a step.
+static int is_sum_step_good(const sf_rule *rule, uint64_t below, uint64_t above)
+{
+    return above <= INT64_MAX && below <= above && above - below <= REACH_LARGEST + STEP_SLACK &&
+           is_slack_reach_good(rule, above - below);
 }
 
 // Whether entries k and k + 1 of the table make a step.
@@ -171,14 +206,11 @@ static int is_table_step_good(const sf_rule *rule, uint32_t k)
         return 0;
     }
     const uint64_t *x = rule->table, *y = x + count;
-    if (rule->kind == SF_RULE_SLACK &&
-        (y[k + 1] > INT64_MAX || y[k] > y[k + 1] || y[k + 1] - y[k] > REACH_LARGEST)) {
-        return 0;
+    if (rule->kind == SF_RULE_DISK) {
+        return x[k] <= REACH_LARGEST && y[k] <= REACH_LARGEST;
     }
-    if (rule->kind == SF_RULE_OCTAGON || rule->kind == SF_RULE_SLACK) {
-        return x[k + 1] <= INT64_MAX && x[k] <= x[k + 1] && x[k + 1] - x[k] <= REACH_LARGEST;
-    }
-    return x[k] <= REACH_LARGEST && y[k] <= REACH_LARGEST;
+    return is_sum_step_good(rule, x[k], x[k + 1]) &&
+           (rule->kind == SF_RULE_OCTAGON || is_sum_step_good(rule, y[k], y[k + 1]));
 }
 
 static int is_step_good(const sf_rule *rule, uint32_t k)
@@ -229,9 +261,9 @@ sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_element *element)
         octagon(below, above, element);
     } else if (rule->kind == SF_RULE_SLACK && table != NULL) {
         const uint64_t *y = table + rule->table_count;
-        return slack_element(table[k + 1] - table[k], y[k + 1] - y[k], element);
+        return sfi_slack_element(rule, table[k + 1] - table[k], y[k + 1] - y[k], element);
     } else if (rule->kind == SF_RULE_SLACK) {
-        return slack_element(rule->reach_x_q24, rule->reach_y_q24, element);
+        return sfi_slack_element(rule, rule->reach_x_q24, rule->reach_y_q24, element);
     } else {
         uint64_t x = table != NULL ? table[k] : rule->reach_x_q24;
         uint64_t y = table != NULL ? table[rule->table_count + k] : rule->reach_y_q24;

@@ -13,6 +13,19 @@
 #define SFI_OCTAGON_AXIS_Q32 0xec835e79u
 #define SFI_OCTAGON_SQUARE_Q32 0x6a09e667u
 
+// What slack counts in: units in a pitch, the cap of what a voxel has to spare, whose code, 1 more,
+// is a byte; and how far, in voxels, a step then reaches at most.
+#define SFI_SLACK_UNITS_MIN 4u
+#define SFI_SLACK_CAP_MAX 254u
+#define SFI_SLACK_REACH_MAX 63u
+
+// Layers that a rule's table must serve. A single layer takes no step and needs none.
+uint32_t sfi_table_layers(const sf_lattice *lattice);
+
+// All that a step of these reaches under slack can be carried by; the rule's units are asked for.
+sf_status sfi_slack_element(const sf_rule *rule, uint64_t x_q24, uint64_t y_q24,
+                            sf_element *element);
+
 // SF_OK when the rule gives an element for each step between `layer_count` slices, the first of
 // which is layer `first`. After that sf_rule_element() cannot fail on them, so whoever is about to
 // write into a grid asks here first.

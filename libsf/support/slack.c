@@ -13,9 +13,10 @@
 //
 // N(v) must reach as far as a step does along each axis, and to the next whole voxel, or a steep
 // angle could not be reached; and with 3x3 alone the steps make an octagon of the cone, 8 % short
-// between axis and diagonal. So N is the ellipse of the step and the 5x5 without its corners, whose
-// knight moves leave 3 % (on oblong pixels up to 8 %). The cap is the longest distance in any N,
-// for a step to be possible after however long a wall.
+// between axis and diagonal. So N is the ellipse of the step, its radii rounded up, and all that
+// lies within a knight's move of the longer pitch: on square pixels the 5x5 without its corners,
+// which leaves 3 %. The cap is the longest distance in any N, for a step to be possible after
+// however long a wall.
 //
 // Numbers: a unit is such that the cap is at most 254 and a voxel's code, 1 + s, fits a byte.
 // Distances are rounded up to units; reaches are rounded as sums, floor(P_{k+1}) - floor(P_k), so
@@ -81,8 +82,6 @@ uint32_t sfi_slack_gain(const sf_rule *rule, uint32_t k)
 // ---------------------------------------------------------------------------------------------
 
 #define BLOCK 64
-// No voxel reaches farther: the cap is below 255, and a voxel is at least four units long.
-#define REACH_MAX 63
 
 // One step, with all costs that it can ask for.
 typedef struct step {
@@ -91,7 +90,7 @@ typedef struct step {
     size_t stride;
     uint32_t gain, top; // top: the code of the cap
     sf_element element;
-    uint8_t costs[REACH_MAX + 1][REACH_MAX + 1]; // by dy and dx
+    uint8_t costs[SFI_SLACK_REACH_MAX + 1][SFI_SLACK_REACH_MAX + 1]; // by dy and dx
 } step;
 
 // codes = max(codes, what `in` hands on where reaching costs more than the gain).
@@ -200,8 +199,8 @@ static void begin_step(step *s, const sf_rule *rule, uint32_t k, const sfi_front
     s->gain = sfi_slack_gain(rule, k);
     s->top = rule->slack_cap + 1u;
     s->element = *element;
-    for (uint32_t dy = 0; dy <= element->reach_y && dy <= REACH_MAX; dy++) {
-        for (uint32_t dx = 0; dx <= element->half_width[dy] && dx <= REACH_MAX; dx++) {
+    for (uint32_t dy = 0; dy <= element->reach_y && dy <= SFI_SLACK_REACH_MAX; dy++) {
+        for (uint32_t dx = 0; dx <= element->half_width[dy] && dx <= SFI_SLACK_REACH_MAX; dx++) {
             uint32_t cost = sfi_slack_cost(rule, dx, dy);
             s->costs[dy][dx] = (uint8_t)(cost < 255 ? cost : 255);
         }

@@ -44,6 +44,7 @@ static sf_status try_angle(trial *t, uint32_t tenths, int *is_free)
     size_t count = 0;
     t->options.findings = &finding;
     t->options.finding_capacity = 1;
+    t->options.run_capacity = 1; // its region is all that is asked for
     SF_TRY(sf_rule_make(SF_RULE_SLACK, tenths * 0.1 * DEGREE_RAD, &t->lattice, t->table,
                         &t->options.rule, NULL));
     SF_TRY(sf_grid_check(t->grid, &t->options, t->allocator, &part.task, &report, &count));

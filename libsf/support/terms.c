@@ -33,6 +33,12 @@ sf_status sfi_terms_match(const sf_lattice *lattice, const sf_grid *grid)
     return same ? SF_OK : SF_ERR_SHAPE;
 }
 
+int sfi_terms_name(const sf_terms *terms, const sf_grid *grid)
+{
+    return grid != NULL && (grid == terms->exempt || grid == terms->keep || grid == terms->forbid ||
+                            grid == terms->act);
+}
+
 sf_slice sfi_mask_slice(const sf_grid *mask, uint32_t k)
 {
     return mask != NULL ? sf_grid_slice(mask, k) : SFI_NO_SLICE;
@@ -113,9 +119,45 @@ static sf_status sweep_layer(const sweep *s, uint32_t k, uint32_t bed, sf_slice 
     return exempt.words == NULL ? SF_OK : sf_slice_and(front.alive, solid, exempt);
 }
 
+// One layer where the rule is an element and nothing is exempt: bits are all there is, so the
+// result is the front.
+static sf_status trim_layer(sf_grid *to, const sf_grid *from, const sf_rule *rule, uint32_t bed,
+                            uint32_t k)
+{
+    sf_slice out = sf_grid_slice(to, k), solid = sf_grid_slice(from, k);
+    sf_element element;
+    if (k == bed) {
+        return sf_slice_copy(out, solid);
+    }
+    if (k < bed) {
+        sf_rect all = {0, 0, out.width, out.height};
+        return sf_slice_fill(out, all, 0);
+    }
+    SF_TRY(sf_rule_element(rule, k - 1, &element));
+    return sf_slice_and_dilate(out, solid, sf_grid_slice(to, k - 1), &element);
+}
+
+static sf_status trim_by_elements(sf_grid *to, const sf_grid *from, const sf_rule *rule,
+                                  uint32_t bed, sf_task *task)
+{
+    uint32_t nz = sf_grid_lattice(from).nz;
+    sfi_progress progress = sfi_progress_begin(task);
+    for (uint32_t k = 0; k < nz; k++) {
+        if (sf_task_is_cancelled(task)) {
+            return SF_ERR_CANCELLED;
+        }
+        SF_TRY(trim_layer(to, from, rule, bed, k));
+        sfi_progress_report(&progress, k + 1, nz);
+    }
+    return SF_OK;
+}
+
 sf_status sfi_trim_into(sf_grid *to, const sf_grid *from, const sf_terms *terms, uint32_t bed,
                         const sf_allocator *allocator, sf_task *task)
 {
+    if (sfi_rule_is_element(&terms->rule) && terms->exempt == NULL) {
+        return trim_by_elements(to, from, &terms->rule, bed, task);
+    }
     sf_lattice lattice = sf_grid_lattice(from);
     sweep s;
     sfi_progress progress = sfi_progress_begin(task);
@@ -165,7 +207,8 @@ sf_status sf_grid_feasible(const sf_grid *allowed, const sf_grid *needed, const 
 {
     sfi_ground ground;
     SF_TRY(sfi_terms_check(terms, allowed, &ground));
-    if (needed == NULL || culprits == allowed || culprits == needed) {
+    if (needed == NULL || culprits == allowed || culprits == needed ||
+        sfi_terms_name(terms, culprits)) {
         return SF_ERR_ARGUMENT;
     }
     SF_TRY(sfi_terms_match(&ground.lattice, needed));
@@ -173,7 +216,7 @@ sf_status sf_grid_feasible(const sf_grid *allowed, const sf_grid *needed, const 
         SF_TRY(sfi_terms_match(&ground.lattice, culprits));
     }
     sf_grid *possible;
-    SF_TRY(sf_grid_clone(allowed, allocator, &possible));
+    SF_TRY(sf_grid_create(&ground.lattice, allocator, &possible));
     sf_status status = sfi_trim_into(possible, allowed, terms, ground.bed, allocator, task);
     if (status == SF_OK) {
         uint64_t missing = find_culprits(needed, possible, culprits);
@@ -207,7 +250,7 @@ static sf_status find_kept(sf_grid *must, const sf_grid *shape, const sf_terms *
     return SF_OK;
 }
 
-// Trim `trimmed`, a copy of the grid, and say whether anything that must stay is gone.
+// Trim the grid into `trimmed`, and say whether anything that must stay is gone.
 static sf_status trim_copy(const sf_grid *grid, sf_grid *trimmed, const sf_terms *terms,
                            uint32_t bed, const sf_allocator *allocator, sf_task *task,
                            sf_grid *culprits)
@@ -235,14 +278,14 @@ sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms, const sf_allocat
 {
     sfi_ground ground;
     SF_TRY(sfi_terms_check(terms, grid, &ground));
-    if (grid == culprits || grid == terms->exempt || grid == terms->keep || grid == terms->act) {
+    if (grid == culprits || sfi_terms_name(terms, grid) || sfi_terms_name(terms, culprits)) {
         return SF_ERR_ARGUMENT;
     }
     if (culprits != NULL) {
         SF_TRY(sfi_terms_match(&ground.lattice, culprits));
     }
     sf_grid *trimmed;
-    SF_TRY(sf_grid_clone(grid, allocator, &trimmed));
+    SF_TRY(sf_grid_create(&ground.lattice, allocator, &trimmed));
     sf_status status = trim_copy(grid, trimmed, terms, ground.bed, allocator, task, culprits);
     if (status == SF_OK) {
         uint64_t before = sf_grid_popcount(grid), after = sf_grid_popcount(trimmed);

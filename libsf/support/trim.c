@@ -17,6 +17,16 @@
 #include "support/carry.h"
 #include "support/terms.h"
 #include "voxel/grid.h"
+#include "voxel/slice.h"
+
+// Zeros in the padding, where nothing else is written.
+static void seal(sf_slice slice)
+{
+    size_t last = sfi_row_words(slice.width) - 1;
+    for (uint32_t y = 0; y < slice.height; y++) {
+        sfi_slice_row(slice, y)[last] &= sfi_tail_mask(slice.width);
+    }
+}
 
 static sf_status clear(sf_slice slice)
 {
@@ -29,9 +39,12 @@ static sf_status trim_slice(sf_grid *grid, const sf_rule *rule, uint32_t bed, ui
 {
     sf_slice slice = sf_grid_slice(grid, k);
     if (k < bed) {
-        return clear(slice);
+        SF_TRY(clear(slice));
+        seal(slice);
+        return SF_OK;
     }
     if (k == bed) {
+        seal(slice);
         return SF_OK;
     }
     sf_element element;
@@ -44,7 +57,7 @@ static sf_status trim_by_elements(sf_grid *grid, const sf_rule *rule, uint32_t b
 {
     uint32_t nz = sf_grid_lattice(grid).nz;
     sfi_progress progress = sfi_progress_begin(task);
-    for (uint32_t k = 0; bed < nz && k < nz; k++) {
+    for (uint32_t k = 0; k < nz; k++) {
         sf_slice slice = sf_grid_slice(grid, k);
         uint64_t solid = counts != NULL ? sf_slice_popcount(slice) : 0;
         SF_TRY(trim_slice(grid, rule, bed, k));
@@ -66,8 +79,9 @@ static sf_status trim_by_fronts(sf_grid *grid, const sf_terms *terms, uint32_t b
     sf_allocator allocator = sfi_grid_allocator(grid);
     uint64_t solid = counts != NULL ? sf_grid_popcount(grid) : 0;
     if (task != NULL) {
-        silent = *task;
-        silent.cancel_state = 0;
+        silent.progress = task->progress;
+        silent.parallel_for = task->parallel_for;
+        silent.user = task->user;
     }
     SF_TRY(sfi_trim_into(grid, grid, terms, bed, &allocator, &silent));
     if (counts != NULL) {

@@ -46,46 +46,29 @@ static sf_rect grow(sf_rect r, const sf_element *element, uint32_t margin, sf_sl
     return sfi_rect_grow(r, element->half_width[0] + margin, element->reach_y + margin, slice);
 }
 
-// The smallest rectangle around r that starts and ends with a word.
-static sf_rect align(sf_rect r, sf_slice slice)
-{
-    r.x0 -= r.x0 % 64;
-    uint32_t end = (r.x1 + 63) / 64 * 64;
-    r.x1 = end < slice.width ? end : slice.width;
-    return r;
-}
-
-// The part of a slice in a rectangle that starts with a word.
-static sf_slice window(sf_slice slice, sf_rect r)
-{
-    sf_slice part = {sfi_slice_row(slice, r.y0) + r.x0 / 64, r.x1 - r.x0, r.y1 - r.y0,
-                     slice.stride};
-    return part;
-}
-
 // scratch = what layer k should be, right within r at least.
 static sf_status compute(const walk *w, uint32_t k, sf_rect r, const sf_element *element)
 {
     sf_slice drawn = sf_grid_slice(w->drawn, k);
     if (k < w->bed) {
-        sf_rect part = align(r, drawn);
-        sf_slice out = window(w->scratch, part);
+        sf_rect part = sfi_rect_align(r, drawn);
+        sf_slice out = sfi_slice_window(w->scratch, part);
         sf_rect all = {0, 0, out.width, out.height};
         return sf_slice_fill(out, all, 0);
     }
     if (k == w->bed) {
-        sf_rect part = align(r, drawn);
-        return sf_slice_copy(window(w->scratch, part), window(drawn, part));
+        sf_rect part = sfi_rect_align(r, drawn);
+        return sf_slice_copy(sfi_slice_window(w->scratch, part), sfi_slice_window(drawn, part));
     }
-    sf_rect part = align(grow(r, element, w->margin, drawn), drawn);
-    sf_slice below = window(sf_grid_slice(w->printable, k - 1), part);
-    sf_slice out = window(w->scratch, part), solid = window(drawn, part);
+    sf_rect part = sfi_rect_align(grow(r, element, w->margin, drawn), drawn);
+    sf_slice below = sfi_slice_window(sf_grid_slice(w->printable, k - 1), part);
+    sf_slice out = sfi_slice_window(w->scratch, part), solid = sfi_slice_window(drawn, part);
     if (w->margin == 0) {
         return sf_slice_and_dilate(out, solid, below, element);
     }
-    sf_slice own = window(w->own, part), gaps = window(w->gaps, part);
+    sf_slice own = sfi_slice_window(w->own, part), gaps = sfi_slice_window(w->gaps, part);
     SF_TRY(sf_slice_and_dilate(own, solid, below, element));
-    sfi_bridge_gaps(&w->rule->bridge, solid, own, window(w->anchored, part), gaps);
+    sfi_bridge_gaps(&w->rule->bridge, solid, own, sfi_slice_window(w->anchored, part), gaps);
     return sf_slice_or(out, own, gaps);
 }
 
@@ -105,8 +88,8 @@ static sf_rect commit(const walk *w, uint32_t k, sf_rect r)
             fresh[i] = difference;
         }
     }
-    sf_rect part = align(r, slice);
-    sf_rect changed = sf_slice_bounds(window(w->scratch, part));
+    sf_rect part = sfi_rect_align(r, slice);
+    sf_rect changed = sf_slice_bounds(sfi_slice_window(w->scratch, part));
     if (!sfi_rect_is_empty(changed)) {
         changed.x0 += part.x0;
         changed.x1 += part.x0;
@@ -184,15 +167,6 @@ static sf_box widen_to_bed(const walk *w, uint32_t bed_layer, sf_box box)
     return moved ? all : box;
 }
 
-// The largest of the ways that a bridge reaches within its layer, along one axis.
-static uint32_t bridge_margin(const sf_bridge *b)
-{
-    uint32_t x = (uint32_t)b->span_x + b->anchor_x, y = (uint32_t)b->span_y + b->anchor_y;
-    uint32_t d = (uint32_t)b->span_diagonal + b->anchor_diagonal, most = x > y ? x : y;
-    most = d > most ? d : most;
-    return sfi_bridge_any(b) ? most + 1 : 0;
-}
-
 // With scratch from one piece of memory.
 static sf_status run(walk *w, uint32_t bed_layer, sf_box box, sf_box *changed)
 {
@@ -236,7 +210,7 @@ sf_status sf_grid_trim_box(const sf_grid *drawn, sf_grid *printable, const sf_ru
                   .printable = printable,
                   .rule = rule,
                   .bed = ground.bed,
-                  .margin = bridge_margin(&rule->bridge)};
+                  .margin = sfi_bridge_margin(&rule->bridge)};
         SF_TRY(run(&w, bed_layer, box, &around));
     }
     if (changed != NULL) {

@@ -43,6 +43,23 @@ static inline sf_rect sfi_rect_grow(sf_rect r, uint32_t rx, uint32_t ry, sf_slic
     return grown;
 }
 
+// The smallest rectangle around r that starts and ends with a word of the slice.
+static inline sf_rect sfi_rect_align(sf_rect r, sf_slice slice)
+{
+    r.x0 -= r.x0 % 64;
+    uint32_t end = (r.x1 + 63) / 64 * 64;
+    r.x1 = end < slice.width ? end : slice.width;
+    return r;
+}
+
+// The part of a slice in a rectangle that starts with a word.
+static inline sf_slice sfi_slice_window(sf_slice slice, sf_rect r)
+{
+    sf_slice part = {slice.words + (size_t)r.y0 * slice.stride + r.x0 / 64, r.x1 - r.x0,
+                     r.y1 - r.y0, slice.stride};
+    return part;
+}
+
 // The smallest box around a box and a rectangle of layer z.
 static inline sf_box sfi_box_union(sf_box box, sf_rect rect, uint32_t z)
 {

@@ -184,13 +184,27 @@ static inline sf_rule slack_rule(double degrees, double px, double py, double h)
     return rule;
 }
 
-// Every rule there is, with and without bridges: 24 of them by number.
+// A rule for 16 layers whose heights differ, on pixels of px by py.
+static inline sf_rule uneven_rule(sf_rule_kind kind, double degrees, double px, double py)
+{
+    static const double heights[16] = {0.1,  0.05, 0.12, 0.2,  0.08, 0.1, 0.1,  0.03,
+                                       0.15, 0.1,  0.07, 0.11, 0.1,  0.2, 0.06, 0.1};
+    static uint64_t tables[2][32];
+    sf_lattice lattice = {8, 8, 16, px, py, 0.1, heights, {0.0, 0.0, 0.0}};
+    sf_rule rule = sf_rule_box3();
+    CHECK_EQ(sf_rule_make(kind, degrees * (3.14159265358979323846 / 180.0), &lattice,
+                          tables[kind == SF_RULE_SLACK], &rule, NULL),
+             SF_OK);
+    return rule;
+}
+
+// Every rule there is, with and without bridges: 30 of them by number.
 static inline sf_rule any_rule(int i)
 {
     static const sf_bridge bridges[3] = {
         {0, 0, 0, 0, 0, 0}, {3, 3, 3, 1, 1, 1}, {4, 2, 0, 2, 1, 0}};
     sf_rule rule;
-    switch (i % 8) {
+    switch (i % 10) {
     case 0:
         rule = sf_rule_box3();
         break;
@@ -212,12 +226,69 @@ static inline sf_rule any_rule(int i)
     case 6:
         rule = rule_of_radius(2);
         break;
-    default:
+    case 7:
         rule = slack_rule(20.0, 0.2, 0.1, 0.15);
         break;
+    case 8:
+        rule = uneven_rule(SF_RULE_SLACK, 50.0, 0.15, 0.1);
+        break;
+    default:
+        rule = uneven_rule(SF_RULE_OCTAGON, 48.0, 0.1, 0.1);
+        break;
     }
-    rule.bridge = bridges[i / 8 % 3];
+    rule.bridge = bridges[i / 10 % 3];
     return rule;
+}
+
+// ---------------------------------------------------------------------------------------------
+// What the laws go through
+// ---------------------------------------------------------------------------------------------
+
+static inline void random_stack(stack *s, int nx, int ny, int nz)
+{
+    if (test_random_below(2) == 0) {
+        stack_random(s, nx, ny, nz, 0.15 + 0.7 * test_random_unit());
+    } else {
+        stack_random_boxes(s, nx, ny, nz, 2 + (int)test_random_below(6));
+    }
+}
+
+static inline uint32_t random_bed(int nz)
+{
+    return test_random_below(3) == 0 ? test_random_below((uint32_t)nz) : SF_BED_AUTO;
+}
+
+// The union of all support-free subsets of s, by trying all of them.
+static inline void union_of_subsets(stack *all, const stack *s, const sf_rule *rule,
+                                    const stack *exempt)
+{
+    static stack subset;
+    int places[16], count = 0;
+    for (int i = 0; i < stack_count(s); i++) {
+        if (s->solid[i]) {
+            places[count++] = i;
+        }
+    }
+    stack_clear(all, s->nx, s->ny, s->nz);
+    for (unsigned bits = 0; bits < 1u << count; bits++) {
+        stack_clear(&subset, s->nx, s->ny, s->nz);
+        for (int j = 0; j < count; j++) {
+            subset.solid[places[j]] = bits >> j & 1;
+        }
+        if (oracle_is_support_free(&subset, rule, 0, exempt)) {
+            stack_combine(all, all, &subset, STACK_OR);
+        }
+    }
+}
+
+// A stack of at most `most` voxels, in one of three shapes.
+static inline void small_stack(stack *s, int i, int most)
+{
+    static const int sizes[3][3] = {{6, 1, 3}, {3, 2, 3}, {5, 2, 2}};
+    do {
+        const int *n = sizes[i % 3];
+        stack_random(s, n[0], n[1], n[2], 0.2 + 0.5 * test_random_unit());
+    } while ((int)stack_volume(s) > most);
 }
 
 #endif

@@ -201,7 +201,8 @@ typedef struct sf_task {
     void (*parallel_for)(void *user, size_t count, sf_task_body body,
                          void *context); /**< or NULL */
     void *user;                          /**< handed to both callbacks */
-    int cancel_state; /**< private: use sf_task_cancel() and sf_task_is_cancelled() */
+    int cancel_state;            /**< private: use sf_task_cancel() and sf_task_is_cancelled() */
+    const struct sf_task *whole; /**< private: NULL */
 } sf_task;
 
 /**

@@ -129,7 +129,7 @@ SF_API size_t sf_rule_table_count(const sf_lattice *lattice);
  * not square. Box3 ignores the angle. Slack is the rule to take where pixels are not square or
  * where the angle must be met in every direction: no chain of any length reaches beyond the asked
  * angle but for its cap, which is the longest single step, and in the long run it reaches the asked
- * angle to within three percent of its tangent (eight where pixels are oblong). It costs a byte for
+ * angle to within three percent of its tangent (seven where pixels are oblong). It costs a byte for
  * each voxel of two layers.
  *
  * @param kind       which rule
@@ -142,7 +142,8 @@ SF_API size_t sf_rule_table_count(const sf_lattice *lattice);
  * @param fault      NULL, or where a refusal is explained
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such kind, an angle outside its range or not a
  * number; SF_ERR_UNSUPPORTED: octagon on pixels that are not square, disk where a step reaches less
- * than a voxel, a step that reaches more than SF_REACH_MAX voxels; what sf_lattice_validate() says.
+ * than a voxel, a step that reaches more than SF_REACH_MAX voxels, slack where one reaches more
+ * than 63 or where pixels are more than 25 times as long as wide; what sf_lattice_validate() says.
  * @cost O(nz) where heights differ, else constant.   @threads any.
  * @source The octagon's schedule is a Bresenham line in the number of pluses and squares
  * (J. E. Bresenham, 1965).

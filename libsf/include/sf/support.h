@@ -13,7 +13,7 @@
 // it. A trim removes everything that is not carried, and what then is not carried any more, from
 // the bottom up: what is left is the largest support-free part of the shape.
 //
-// Rules and checks compute with integers only and take no memory of their own.
+// Rules and checkers compute with integers only and take no memory of their own.
 
 #ifndef SF_SUPPORT_H
 #define SF_SUPPORT_H
@@ -79,7 +79,7 @@ SF_API sf_terms sf_terms_default(void);
  * @param needed     voxels that must be; what of them is not allowed is a culprit
  * @param terms      rule, bed layer and exempt voxels; the other masks are not looked at. With
  *                   SF_BED_AUTO the bed is the first layer that holds matter in `allowed`
- * @param allocator  for working memory: a grid, and a slice or two; NULL for the C library's
+ * @param allocator  for working memory: a grid, and what a trim takes; NULL for the C library's
  * @param task       NULL, or progress per slice; a cancel is honoured at every slice
  * @param culprits   NULL, or a grid whose voxels are set to the culprits; neither of the others
  * @param count      number of culprits; may be NULL
@@ -220,7 +220,7 @@ SF_API SF_CHECKED sf_status sf_checker_size(const sf_check_options *options, siz
  * @param checker      the checker, which lies in `memory`
  * @return SF_OK; what sf_checker_size() says; SF_ERR_ARGUMENT: a NULL pointer, memory that is not
  * aligned; SF_ERR_CAPACITY: too little memory.
- * @cost O(width * height / 64).   @threads any.
+ * @cost O(width * height / 64), under slack O(width * height).   @threads any.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_checker_place(const sf_check_options *options, void *memory,
@@ -238,8 +238,8 @@ SF_API SF_CHECKED sf_status sf_checker_place(const sf_check_options *options, vo
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, a slice in the checker's
  * memory, a rule whose table does not reach to this layer; SF_ERR_SHAPE: another size;
  * SF_ERR_OVERFLOW: the layer would be number SF_LAYER_MAX.
- * @cost a dilation of the layer below, two where matter was lost there, and in lost matter its
- * voxels times the rows of the element.
+ * @cost a step of the rule, two where matter was lost below (under slack, as long as it tells), and
+ * in lost matter its voxels times the rows of the element.
  * @threads one per checker.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, section 3.2.
@@ -318,8 +318,9 @@ SF_API SF_CHECKED sf_status sf_grid_check(const sf_grid *grid, const sf_check_op
 typedef struct sf_steepest {
     double angle_rad; /**< from the vertical: the least angle that it is support-free for; or, where
                            is_bounded is 0, the largest that was tried */
-    int is_bounded; /**< 0: it is not support-free for any angle: there is an island, or an overhang
-                         beyond 85 degrees */
+    int is_bounded;   /**< 0: it is not support-free for any angle that was tried, up to the largest
+                           that the lattice can be served for, at most 85 degrees: an island, or a
+                           ledge longer than the last step reaches */
     uint32_t layer; /**< the lowest layer that a slightly smaller angle does not carry, or that none
                          does; SF_BED_AUTO when even 5 degrees carry everything */
     sf_box box;     /**< box of the finding there; all zero when there is none */
@@ -329,7 +330,9 @@ typedef struct sf_steepest {
  * The steepest overhang that a shape has: the least angle for which the rule slack finds nothing.
  *
  * To a tenth of a degree, between 5 and 85. An overhang over a height H may be said flatter than it
- * is by the rule's cap, about two voxels, over H in its tangent.
+ * is by the rule's cap over H in its tangent: about two voxels up to 63 degrees, and above that
+ * what one step reaches, up to twelve on cubes. So a flat ledge of one layer is given the angle
+ * whose step reaches over it.
  *
  * @param grid       the shape
  * @param bed_layer  layer that rests on the bed, or SF_BED_AUTO
@@ -361,9 +364,9 @@ typedef struct sf_trim_report {
 /**
  * Remove everything that is not supported, in place: what is left is the largest support-free part.
  *
- * From the bottom up: T_bed = S_bed and T_{k+1} = S_{k+1} and dilate(T_k); matter below the bed
- * layer is removed. The result contains every support-free part of the shape, so no order of other
- * removals keeps more, and trimming again changes nothing.
+ * From the bottom up: T_bed = S_bed, and T_{k+1} is what of S_{k+1} the rule lets rest on T_k;
+ * matter below the bed layer is removed. The result contains every support-free part of the shape,
+ * so no order of other removals keeps more, and trimming again changes nothing.
  *
  * @param grid       the shape, changed in place
  * @param rule       a rule for the grid's lattice
@@ -372,8 +375,12 @@ typedef struct sf_trim_report {
  *                   because there is no second grid to go back to
  * @param report     counts, or NULL, which saves counting
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a bed layer that the grid has not, a rule that
- * does not serve all its layers; SF_ERR_CANCELLED.
- * @cost one pass over the grid for box3 and octagon up to reach 1; about 4 * reach passes else.
+ * does not serve all its layers; SF_ERR_CANCELLED; under slack and with bridges also SF_ERR_MEMORY
+ * and SF_ERR_OVERFLOW: working memory, taken from the grid's allocator before the first write, was
+ * refused or does not fit the machine (under slack 18 slices, with bridges five, with both 21).
+ * @cost one pass over the grid for box3 and octagon up to reach 1; about 4 * reach passes for
+ * others; under slack some fifty passes at a surface and few inside; with bridges, in layers where
+ * something hangs, some twenty passes over a window around it.
  * @threads one per grid.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, sections 2.2 and 3.2.
@@ -390,7 +397,8 @@ SF_API SF_CHECKED sf_status sf_grid_trim(sf_grid *grid, const sf_rule *rule, uin
  *
  * @param grid       the shape, changed in place
  * @param terms      rule, bed layer and masks; `forbid` is not looked at, because nothing is added
- * @param allocator  for working memory: a grid; NULL for the C library's
+ * @param allocator  for working memory: a grid, with keep or act two, and what a trim takes; NULL
+ *                   for the C library's
  * @param task       NULL, or progress per slice; a cancel is honoured at every slice
  * @param culprits   NULL, or a grid that is set, on SF_ERR_INFEASIBLE, to the voxels that must stay
  *                   and cannot
@@ -408,7 +416,8 @@ SF_API SF_CHECKED sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms
  * Bring `printable` = trim(`drawn`) up to date after `drawn` changed within `box`.
  *
  * Before the change `printable` was the trim of `drawn`, by the same rule and bed layer; after this
- * call it is again, bit for bit what sf_grid_trim() of `drawn` gives. Only what can have changed is
+ * call it is again, bit for bit what sf_grid_trim() of `drawn` gives. Under slack everything is
+ * trimmed anew, because what a voxel has to spare is not kept. Else only what can have changed is
  * looked at: the box, and above it what rests on voxels that did change, up to the first layer
  * where none did. Matter may have been added and removed; parts that were trimmed earlier come back
  * where there is support for them now.
@@ -427,9 +436,11 @@ SF_API SF_CHECKED sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms
  * @param changed    NULL, or where the box around the voxels of `printable` that this call changed
  *                   is left: empty (all zero) when there are none
  * @return SF_OK; SF_ERR_ARGUMENT: as sf_grid_trim(), or a box beyond the grid; SF_ERR_SHAPE: the
- * grids differ in counts; SF_ERR_MEMORY: a slice of working memory, taken from the allocator of
- * `printable`, was refused.
- * @cost the volume of the boxes around the change in each layer, grown by the rule's reach.
+ * grids differ in counts; SF_ERR_MEMORY: working memory, taken from the allocator of `printable`,
+ * was refused: a slice, with bridges four, under slack a grid and 18 slices; SF_ERR_OVERFLOW, under
+ * slack: it does not fit the machine.
+ * @cost the volume of the boxes around the change in each layer, grown by the rule's reach and with
+ * bridges by their span and anchor; under slack a trim.
  * @threads one per pair of grids.
  * @since 0.1
  */

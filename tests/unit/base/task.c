@@ -63,7 +63,7 @@ static void parts_belong_to_the_whole(void)
     sfi_progress_report(&inner, 0, 2);
     CHECK(!sf_task_is_cancelled(&part.task));
     sfi_progress_report(&inner, 1, 2);
-    CHECK(!sf_task_is_cancelled(&part.task)); // cancelled in this very report
+    CHECK(sf_task_is_cancelled(&part.task)); // by this very report
     sfi_progress_report(&inner, 2, 2);
     CHECK(sf_task_is_cancelled(&part.task));
     CHECK_EQ(seen_count, 3);

@@ -4,7 +4,7 @@
 // asked angle over all azimuths. Slack never reaches beyond the asked cone by more than its cap and
 // stays within 3 % of its tangent everywhere (ALGORITHMS 1.6, as corrected); octagon within 1.502
 // voxel and cos(22.5 degrees). What sf_rule_measure() says is what is found. The table of
-// docs/angles.md is printed here.
+// docs/rules.md is printed here.
 
 #include "law/stack.h"
 
@@ -111,28 +111,33 @@ static sf_lattice room_for(double degrees, double px, double py, double h, uint3
 static void slack_is_exact(void)
 {
     static const double asked[] = {5, 10, 20, 30, 40, 45, 50, 60, 70, 80, 85};
-    static const double pixels[][3] = {{0.1, 0.1, 0.1}, {0.1, 0.1, 0.05}, {0.05, 0.08, 0.05}};
+    static const double pixels[][3] = {
+        {0.1, 0.1, 0.1}, {0.1, 0.1, 0.05}, {0.05, 0.08, 0.05}, {0.1, 0.033, 0.1}, {0.02, 0.2, 0.1}};
     printf("# rule     asked  pixel            layers  obtained, degrees\n");
     for (size_t p = 0; p < sizeof pixels / sizeof pixels[0]; p++) {
         for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++) {
             double px = pixels[p][0], py = pixels[p][1], h = pixels[p][2], least, most;
-            double slope = tan(asked[i] / DEGREES);
+            double shorter = px < py ? px : py, slope = tan(asked[i] / DEGREES);
             uint32_t layers = slope * h / px < 0.5 ? 200 : slope * h / px < 1.5 ? 100 : 12;
             sf_lattice lattice = room_for(asked[i], px, py, h, layers);
             sf_rule rule;
             sf_rule_angles angles;
-            CHECK_EQ(sf_rule_make(SF_RULE_SLACK, asked[i] / DEGREES, &lattice, NULL, &rule, NULL),
-                     SF_OK);
+            if (sf_rule_make(SF_RULE_SLACK, asked[i] / DEGREES, &lattice, NULL, &rule, NULL) !=
+                SF_OK) {
+                CHECK(slope * h / shorter > 10); // and only then
+                continue;
+            }
             measure_cone(&rule, &lattice, &least, &most);
-            double shorter = px < py ? px : py, reach = layers * h * slope;
+            double reach = layers * h * slope;
             double units = px < py ? rule.slack_x : rule.slack_y;
             double cap = rule.slack_cap / units * shorter;
             CHECK(most <= reach + cap + 1e-9);
-            CHECK(least >= (px == py ? 0.97 : 0.92) * reach - shorter);
+            double part = px == py ? 0.97 : 0.93;
+            CHECK(least >= part * reach - shorter);
             CHECK_EQ(sf_rule_measure(&rule, &lattice, &angles), SF_OK);
             CHECK_NEAR(angles.steepest_rad * DEGREES, asked[i], 1e-5);
-            CHECK(tan(angles.axis_x_rad) <= slope + 1e-9 && tan(angles.axis_x_rad) > 0.96 * slope);
-            CHECK(tan(angles.diagonal_rad) > 0.96 * slope);
+            CHECK(tan(angles.axis_x_rad) <= slope + 1e-9 && tan(angles.axis_x_rad) > part * slope);
+            CHECK(tan(angles.diagonal_rad) > part * slope);
             printf("# slack    %4.0f  %.2f x %.2f x %.2f %5u  %5.2f .. %5.2f\n", asked[i], px, py,
                    h, layers, atan(least / (layers * h)) * DEGREES,
                    atan(most / (layers * h)) * DEGREES);
