@@ -14,6 +14,23 @@
 
 #include <sf/voxel.h>
 
+// A key of the path map is 16 * cost + code: the cost of a voxel, and in which of the nine voxels
+// below the path goes on. A code is the sum of one for x and one for y, such that of equal costs
+// the closest voxel has the least key, then the one of least y, then of least x. Above the largest
+// cost, SFI_PATH_COST_MAX, is the key that means that there is no path; so does its code, 15.
+#define SFI_PATH_LESS_Y 4u
+#define SFI_PATH_LESS_X 5u
+#define SFI_PATH_MORE_X 6u
+#define SFI_PATH_MORE_Y 8u
+#define SFI_PATH_NONE 0xffffu
+#define SFI_PATH_COST_MAX 4095u
+
+typedef enum sfi_path_shape {
+    SFI_PATH_POINT = 0,
+    SFI_PATH_PLUS = 1,
+    SFI_PATH_BOX = 2
+} sfi_path_shape;
+
 typedef struct sfi_kernels {
     const char *name;
 
@@ -28,6 +45,12 @@ typedef struct sfi_kernels {
     void (*or_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
     void (*xor_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
     void (*subtract_words)(uint64_t *dst, const uint64_t *a, const uint64_t *b, size_t count);
+
+    // Whether any bit is set in a rectangle of row_count >= 1 rows of count words each, of which
+    // the first counts where `first` is set and the last where `last` is (a single word: where both
+    // are).
+    int (*any_in_rows)(const uint64_t *words, size_t stride, size_t row_count, size_t count,
+                       uint64_t first, uint64_t last);
 
     // dst = OR of all rows, each XOR flip, which is 0 or all ones. row_count is even; a row may be
     // named twice. dst overlaps no row.
@@ -48,6 +71,16 @@ typedef struct sfi_kernels {
     // ignored on entry and zero on return.
     void (*trim_box3)(sf_slice dst, sf_slice src, sf_slice below);
     void (*trim_plus3)(sf_slice dst, sf_slice src, sf_slice below);
+
+    // One row of a path map, 64 * count voxels. below: the keys, with codes of 0 or SFI_PATH_NONE,
+    // of rows y - 1, y and y + 1 of the layer below. Let m be the least, over the voxels of the
+    // shape, of key + code, where sums end at SFI_PATH_NONE. Into codes goes the code of m, 16
+    // voxels to a word, lowest first. Into keys goes 0 where the voxel is solid, else SFI_PATH_NONE
+    // where it is shut or the cost of m is the largest, else the key of code 0 whose cost is one
+    // more than m's. keys overlaps no row below; below[i][-1] and below[i][64 * count] are read.
+    void (*path_row)(uint16_t *keys, uint64_t *codes, const uint16_t *const below[3],
+                     sfi_path_shape shape, const uint64_t *solid, const uint64_t *shut,
+                     size_t count);
 } sfi_kernels;
 
 // The table in use: the best that the processor has and sf_isa_limit() allows.

@@ -8,6 +8,29 @@
 
 #include <arm_neon.h>
 
+static inline uint64x2_t load_eight(const uint16_t *p)
+{
+    return vreinterpretq_u64_u16(vld1q_u16(p));
+}
+
+// Each of the eight lowest bits of w as a lane of ones.
+static inline uint64x2_t spread_eight(uint64_t w)
+{
+    static const uint16_t bits[8] = {1, 2, 4, 8, 16, 32, 64, 128};
+    return vreinterpretq_u64_u16(vtstq_u16(vdupq_n_u16((uint16_t)w), vld1q_u16(bits)));
+}
+
+// Eight lanes of four bits each, two to a byte: in each 32 bits the upper lane goes next to the
+// lower.
+static inline void put_nibbles(unsigned char *to, uint64x2_t v)
+{
+    uint32x4_t lanes = vreinterpretq_u32_u64(v);
+    lanes = vandq_u32(vorrq_u32(lanes, vshrq_n_u32(lanes, 12)), vdupq_n_u32(0xff));
+    uint16x4_t four = vmovn_u32(lanes);
+    uint8x8_t bytes = vmovn_u16(vcombine_u16(four, four));
+    vst1_lane_u32((uint32_t *)(void *)to, vreinterpret_u32_u8(bytes), 0);
+}
+
 #define SF_FN(name) name##_neon
 #define SF_NAME "neon"
 #define SF_TARGET
@@ -28,6 +51,15 @@
 #define SF_LAST(w) vcombine_u64(vcreate_u64(~UINT64_C(0)), vcreate_u64(w))
 #define SF_PREV(p, c) vextq_u64(p, c, 1)
 #define SF_NEXT(c, n) vextq_u64(c, n, 1)
+#define SF_LOAD16(p) load_eight(p)
+#define SF_STORE16(p, v) vst1q_u16(p, vreinterpretq_u16_u64(v))
+#define SF_MIN16(a, b)                                                                             \
+    vreinterpretq_u64_u16(vminq_u16(vreinterpretq_u16_u64(a), vreinterpretq_u16_u64(b)))
+#define SF_ADD16(a, b)                                                                             \
+    vreinterpretq_u64_u16(vqaddq_u16(vreinterpretq_u16_u64(a), vreinterpretq_u16_u64(b)))
+#define SF_EACH16(n) vreinterpretq_u64_u16(vdupq_n_u16((uint16_t)(n)))
+#define SF_SPREAD16(w) spread_eight(w)
+#define SF_NIBBLES(p, x, v) put_nibbles((unsigned char *)(p) + (x) / 2, v)
 #define SF_POPCOUNT(w) ((uint64_t)vaddv_u8(vcnt_u8(vcreate_u8(w))))
 #define SF_NARROWER sfi_kernels_word()
 #include "simd/template.h"

@@ -62,6 +62,19 @@ static void subtract_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, 
     }
 }
 
+static int any_in_rows(const uint64_t *words, size_t stride, size_t row_count, size_t count,
+                       uint64_t first, uint64_t last)
+{
+    int any = 0;
+    for (size_t y = 0; y < row_count; y++) {
+        for (size_t x = 0; x < 64 * count; x++) {
+            int counts = (x >= 64 || get(&first, x)) && (x / 64 + 1 < count || get(&last, x % 64));
+            any |= counts && get(words + y * stride, x);
+        }
+    }
+    return any;
+}
+
 static int any_row(const uint64_t *const *rows, size_t row_count, uint64_t flip, size_t x)
 {
     int any = 0;
@@ -138,6 +151,37 @@ static void trim_plus3(sf_slice dst, sf_slice src, sf_slice below)
     trim(dst, src, below, 0);
 }
 
+// The least key and code over a shape around place x.
+static unsigned least_key(const uint16_t *const below[3], sfi_path_shape shape, ptrdiff_t x)
+{
+    static const unsigned of_x[3] = {SFI_PATH_LESS_X, 0, SFI_PATH_MORE_X};
+    static const unsigned of_y[3] = {SFI_PATH_LESS_Y, 0, SFI_PATH_MORE_Y};
+    unsigned least = SFI_PATH_NONE;
+    for (int dy = -1; dy <= 1; dy++) {
+        for (int dx = -1; dx <= 1; dx++) {
+            if ((dx != 0) + (dy != 0) <= (int)shape) {
+                unsigned key = below[dy + 1][x + dx] + of_x[dx + 1] + of_y[dy + 1];
+                least = key < least ? key : least;
+            }
+        }
+    }
+    return least;
+}
+
+static void path_row(uint16_t *keys, uint64_t *codes, const uint16_t *const below[3],
+                     sfi_path_shape shape, const uint64_t *solid, const uint64_t *shut,
+                     size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        unsigned least = least_key(below, shape, (ptrdiff_t)x);
+        unsigned next = (least / 16 + 1) * 16;
+        uint64_t places = UINT64_C(15) << (x % 16 * 4);
+        codes[x / 16] = (codes[x / 16] & ~places) | (uint64_t)(least % 16) << (x % 16 * 4);
+        next = next < SFI_PATH_NONE && !get(shut, x) ? next : SFI_PATH_NONE;
+        keys[x] = (uint16_t)(get(solid, x) ? 0 : next);
+    }
+}
+
 static const sfi_kernels table = {
     .name = "reference",
     .popcount = popcount,
@@ -146,11 +190,13 @@ static const sfi_kernels table = {
     .or_words = or_words,
     .xor_words = xor_words,
     .subtract_words = subtract_words,
+    .any_in_rows = any_in_rows,
     .unite = unite,
     .widen = widen,
     .prefix_xor = prefix_xor,
     .trim_box3 = trim_box3,
     .trim_plus3 = trim_plus3,
+    .path_row = path_row,
 };
 
 const sfi_kernels *sfi_kernels_reference(void)

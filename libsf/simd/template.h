@@ -17,6 +17,12 @@
 //   SF_NEXT(c, n)     lane i holds lane i + 1 of c; the last lane holds lane 0 of n
 //   SF_POPCOUNT(w)    set bits of one word
 //   SF_NARROWER       table for rows that do not fill a vector
+//   SF_LOAD16(p) SF_STORE16(p, v)        4 * SF_LANES 16-bit numbers, unaligned
+//   SF_MIN16(a, b) SF_ADD16(a, b)        of these; sums end at 0xffff
+//   SF_EACH16(n)      number n in every lane of 16 bits
+//   SF_SPREAD16(w)    all ones in lane i of 16 bits where bit i of word w is set
+//   SF_NIBBLES(p, x, v)   the low four bits of each lane of 16 bits to nibbles x, x + 1, ... of
+//                     words p, lowest first; x is a multiple of the lanes
 //
 // Neighbouring words come from registers by SF_PREV and SF_NEXT rather than by unaligned loads: a
 // row of the slice below is loaded once for each of the three rows that it holds up, not nine
@@ -89,6 +95,37 @@ SF_TARGET static uint64_t SF_FN(popcount)(const uint64_t *words, size_t count)
         sum += SF_POPCOUNT(words[i]);
     }
     return sum;
+}
+
+// In each row a vector at the start, one that ends with the row, and whole ones between.
+SF_TARGET static int SF_FN(any_in_rows)(const uint64_t *words, size_t stride, size_t row_count,
+                                        size_t count, uint64_t first, uint64_t last)
+{
+    uint64_t lanes[SF_LANES], all = 0;
+    if (count < SF_LANES) {
+        return SF_NARROWER->any_in_rows(words, stride, row_count, count, first, last);
+    }
+    for (size_t i = 0; i < SF_LANES; i++) {
+        lanes[i] = i > 0 ? ~UINT64_C(0) : count > 1 ? first : first & last;
+    }
+    SF_VEC any = SF_EACH(0), left = SF_LOAD(lanes),
+           right = SF_LAST(count > 1 ? last : first & last);
+    left = count == SF_LANES ? SF_AND(left, right) : left;
+    for (size_t y = 0; y < row_count; y++) {
+        const uint64_t *row = words + y * stride;
+        any = SF_OR(any, SF_AND(SF_LOAD(row), left));
+        if (count > SF_LANES) {
+            any = SF_OR(any, SF_AND(SF_LOAD(row + count - SF_LANES), right));
+        }
+        for (size_t i = SF_LANES; i + SF_LANES < count; i += SF_LANES) {
+            any = SF_OR(any, SF_LOAD(row + i));
+        }
+    }
+    SF_STORE(lanes, any);
+    for (size_t i = 0; i < SF_LANES; i++) {
+        all |= lanes[i];
+    }
+    return all != 0;
 }
 
 // `here` widened by s to both sides.
@@ -284,6 +321,63 @@ SF_TARGET static unsigned SF_FN(prefix_xor)(uint64_t *words, size_t count)
 SF_TRIM_ROW(trim_box3, SF_ALL_WORD, SF_ALL_OF, SF_NONE_OF)
 SF_TRIM_ROW(trim_plus3, SF_MID_WORD, SF_MID_OF, SF_ENDS_OF)
 
+// Keys of the voxels of a shape around 4 * SF_LANES places, the codes added, and the least of them.
+SF_TARGET static SF_INLINE SF_VEC SF_FN(least_key)(const uint16_t *const below[3],
+                                                   sfi_path_shape shape, size_t x)
+{
+    const uint16_t *up = below[0] + x, *mid = below[1] + x, *down = below[2] + x;
+    SF_VEC less = SF_EACH16(SFI_PATH_LESS_Y), more = SF_EACH16(SFI_PATH_MORE_Y);
+    SF_VEC here = SF_LOAD16(mid), left = here, right = here;
+    if (shape == SFI_PATH_POINT) {
+        return here;
+    }
+    left = SF_LOAD16(mid - 1);
+    right = SF_LOAD16(mid + 1);
+    here = SF_MIN16(here, SF_ADD16(SF_LOAD16(up), less));
+    here = SF_MIN16(here, SF_ADD16(SF_LOAD16(down), more));
+    if (shape == SFI_PATH_BOX) {
+        left = SF_MIN16(left, SF_ADD16(SF_LOAD16(up - 1), less));
+        left = SF_MIN16(left, SF_ADD16(SF_LOAD16(down - 1), more));
+        right = SF_MIN16(right, SF_ADD16(SF_LOAD16(up + 1), less));
+        right = SF_MIN16(right, SF_ADD16(SF_LOAD16(down + 1), more));
+    }
+    here = SF_MIN16(here, SF_ADD16(left, SF_EACH16(SFI_PATH_LESS_X)));
+    return SF_MIN16(here, SF_ADD16(right, SF_EACH16(SFI_PATH_MORE_X)));
+}
+
+SF_TARGET static SF_INLINE void SF_FN(path_shape)(uint16_t *keys, uint64_t *codes,
+                                                  const uint16_t *const below[3],
+                                                  sfi_path_shape shape, const uint64_t *solid,
+                                                  const uint64_t *shut, size_t count)
+{
+    SF_VEC code = SF_EACH16(15), one = SF_EACH16(16);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t full = solid[i], wall = shut[i];
+        for (unsigned b = 0; b < 64; b += 4 * SF_LANES) {
+            size_t x = 64 * i + b;
+            SF_VEC least = SF_FN(least_key)(below, shape, x);
+            SF_VEC next = SF_ADD16(SF_ANDNOT(least, code), one);
+            next = SF_OR(next, SF_SPREAD16(wall >> b));
+            next = SF_ANDNOT(next, SF_SPREAD16(full >> b));
+            SF_STORE16(keys + x, next);
+            SF_NIBBLES(codes, x, SF_AND(least, code));
+        }
+    }
+}
+
+SF_TARGET static void SF_FN(path_row)(uint16_t *keys, uint64_t *codes,
+                                      const uint16_t *const below[3], sfi_path_shape shape,
+                                      const uint64_t *solid, const uint64_t *shut, size_t count)
+{
+    if (shape == SFI_PATH_BOX) {
+        SF_FN(path_shape)(keys, codes, below, SFI_PATH_BOX, solid, shut, count);
+    } else if (shape == SFI_PATH_PLUS) {
+        SF_FN(path_shape)(keys, codes, below, SFI_PATH_PLUS, solid, shut, count);
+    } else {
+        SF_FN(path_shape)(keys, codes, below, SFI_PATH_POINT, solid, shut, count);
+    }
+}
+
 static const sfi_kernels SF_FN(table) = {
     .name = SF_NAME,
     .popcount = SF_FN(popcount),
@@ -292,11 +386,13 @@ static const sfi_kernels SF_FN(table) = {
     .or_words = SF_FN(or_words),
     .xor_words = SF_FN(xor_words),
     .subtract_words = SF_FN(subtract_words),
+    .any_in_rows = SF_FN(any_in_rows),
     .unite = SF_FN(unite),
     .widen = SF_FN(widen),
     .prefix_xor = SF_FN(prefix_xor),
     .trim_box3 = SF_FN(trim_box3),
     .trim_plus3 = SF_FN(trim_plus3),
+    .path_row = SF_FN(path_row),
 };
 
 #undef SF_INLINE
@@ -330,6 +426,13 @@ static const sfi_kernels SF_FN(table) = {
 #undef SF_SHR
 #undef SF_EACH
 #undef SF_NARROWER
+#undef SF_LOAD16
+#undef SF_STORE16
+#undef SF_MIN16
+#undef SF_ADD16
+#undef SF_EACH16
+#undef SF_SPREAD16
+#undef SF_NIBBLES
 #undef SF_PREV
 #undef SF_NEXT
 #undef SF_POPCOUNT

@@ -14,6 +14,52 @@ static uint64_t popcount_of(uint64_t w)
     return w * UINT64_C(0x0101010101010101) >> 56;
 }
 
+// Four 16-bit numbers in a word, the first one lowest.
+static uint64_t load_four(const uint16_t *p)
+{
+    return p[0] | (uint64_t)p[1] << 16 | (uint64_t)p[2] << 32 | (uint64_t)p[3] << 48;
+}
+
+static void store_four(uint16_t *p, uint64_t v)
+{
+    for (unsigned i = 0; i < 4; i++) {
+        p[i] = (uint16_t)(v >> 16 * i);
+    }
+}
+
+static uint64_t least_of_four(uint64_t a, uint64_t b)
+{
+    uint64_t least = 0;
+    for (unsigned i = 0; i < 64; i += 16) {
+        uint64_t p = a >> i & 0xffff, q = b >> i & 0xffff;
+        least |= (p < q ? p : q) << i;
+    }
+    return least;
+}
+
+static uint64_t sum_of_four(uint64_t a, uint64_t b)
+{
+    uint64_t sum = 0;
+    for (unsigned i = 0; i < 64; i += 16) {
+        uint64_t s = (a >> i & 0xffff) + (b >> i & 0xffff);
+        sum |= (s < 0xffff ? s : 0xffff) << i;
+    }
+    return sum;
+}
+
+// Each of the four lowest bits, times 0xffff, in its own lane.
+static uint64_t spread_of_four(uint64_t w)
+{
+    return ((w & 1) | (w & 2) << 15 | (w & 4) << 30 | (w & 8) << 45) * 0xffff;
+}
+
+static void put_nibbles(uint64_t *words, size_t x, uint64_t v)
+{
+    uint64_t four = (v & 15) | (v >> 12 & 0xf0) | (v >> 24 & 0xf00) | (v >> 36 & 0xf000);
+    unsigned place = (unsigned)(x % 16) * 4;
+    words[x / 16] = (words[x / 16] & ~(UINT64_C(0xffff) << place)) | four << place;
+}
+
 #define SF_FN(name) name##_of_words
 #define SF_NAME "word"
 #define SF_TARGET
@@ -34,6 +80,13 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_LAST(w) ((uint64_t)(w))
 #define SF_PREV(p, c) (p)
 #define SF_NEXT(c, n) (n)
+#define SF_LOAD16(p) load_four(p)
+#define SF_STORE16(p, v) store_four(p, v)
+#define SF_MIN16(a, b) least_of_four(a, b)
+#define SF_ADD16(a, b) sum_of_four(a, b)
+#define SF_EACH16(n) ((uint64_t)(n)*UINT64_C(0x0001000100010001))
+#define SF_SPREAD16(w) spread_of_four(w)
+#define SF_NIBBLES(p, x, v) put_nibbles(p, x, v)
 #define SF_POPCOUNT(w) popcount_of(w)
 #define SF_NARROWER sfi_kernels_word() // never asked: a word is a vector here
 #include "simd/template.h"

@@ -10,6 +10,7 @@
 #if __STDC_HOSTED__ && (defined(__x86_64__) || defined(__i386__))
 
 #include <immintrin.h>
+#include <string.h>
 
 static uint64_t popcount_of(uint64_t w)
 {
@@ -17,6 +18,38 @@ static uint64_t popcount_of(uint64_t w)
     w = (w & UINT64_C(0x3333333333333333)) + (w >> 2 & UINT64_C(0x3333333333333333));
     w = (w + (w >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
     return w * UINT64_C(0x0101010101010101) >> 56;
+}
+
+// Each set bit of w, of 8 or 16, as a lane of ones.
+__attribute__((target("sse2"))) static inline __m128i spread_8(uint64_t w)
+{
+    __m128i bits = _mm_set_epi16(128, 64, 32, 16, 8, 4, 2, 1);
+    return _mm_cmpeq_epi16(_mm_and_si128(_mm_set1_epi16((short)(w & 0xff)), bits), bits);
+}
+
+__attribute__((target("avx2"))) static inline __m256i spread_16(uint64_t w)
+{
+    __m256i bits = _mm256_set_epi16(-32768, 16384, 8192, 4096, 2048, 1024, 512, 256, 128, 64, 32,
+                                    16, 8, 4, 2, 1);
+    return _mm256_cmpeq_epi16(_mm256_and_si256(_mm256_set1_epi16((short)w), bits), bits);
+}
+
+// Lanes of four bits each, two to a byte: in each 32 bits the upper lane goes next to the lower.
+__attribute__((target("sse2"))) static inline void nibbles_8(void *to, __m128i v)
+{
+    v = _mm_and_si128(_mm_or_si128(v, _mm_srli_epi32(v, 12)), _mm_set1_epi32(0xff));
+    v = _mm_packs_epi32(v, v);
+    int four = _mm_cvtsi128_si32(_mm_packus_epi16(v, v));
+    memcpy(to, &four, sizeof four);
+}
+
+__attribute__((target("avx2"))) static inline void nibbles_16(void *to, __m256i v)
+{
+    v = _mm256_and_si256(_mm256_or_si256(v, _mm256_srli_epi32(v, 12)), _mm256_set1_epi32(0xff));
+    v = _mm256_packs_epi32(v, v);
+    v = _mm256_packus_epi16(v, v);
+    int four[2] = {_mm256_extract_epi32(v, 0), _mm256_extract_epi32(v, 4)};
+    memcpy(to, four, sizeof four);
 }
 
 #define SF_FN(name) name##_sse2
@@ -39,6 +72,13 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_LAST(w) _mm_set_epi64x((long long)(w), -1)
 #define SF_PREV(p, c) _mm_castpd_si128(_mm_shuffle_pd(_mm_castsi128_pd(p), _mm_castsi128_pd(c), 1))
 #define SF_NEXT(c, n) _mm_castpd_si128(_mm_shuffle_pd(_mm_castsi128_pd(c), _mm_castsi128_pd(n), 1))
+#define SF_LOAD16(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define SF_STORE16(p, v) _mm_storeu_si128((__m128i *)(void *)(p), v)
+#define SF_MIN16(a, b) _mm_sub_epi16(a, _mm_subs_epu16(a, b))
+#define SF_ADD16(a, b) _mm_adds_epu16(a, b)
+#define SF_EACH16(n) _mm_set1_epi16((short)(n))
+#define SF_SPREAD16(w) spread_8(w)
+#define SF_NIBBLES(p, x, v) nibbles_8((unsigned char *)(p) + (x) / 2, v)
 #define SF_POPCOUNT(w) popcount_of(w)
 #define SF_NARROWER sfi_kernels_word()
 #include "simd/template.h"
@@ -63,6 +103,13 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_LAST(w) _mm256_set_epi64x((long long)(w), -1, -1, -1)
 #define SF_PREV(p, c) _mm256_alignr_epi8(c, _mm256_permute2x128_si256(p, c, 0x21), 8)
 #define SF_NEXT(c, n) _mm256_alignr_epi8(_mm256_permute2x128_si256(c, n, 0x21), c, 8)
+#define SF_LOAD16(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
+#define SF_STORE16(p, v) _mm256_storeu_si256((__m256i *)(void *)(p), v)
+#define SF_MIN16(a, b) _mm256_min_epu16(a, b)
+#define SF_ADD16(a, b) _mm256_adds_epu16(a, b)
+#define SF_EACH16(n) _mm256_set1_epi16((short)(n))
+#define SF_SPREAD16(w) spread_16(w)
+#define SF_NIBBLES(p, x, v) nibbles_16((unsigned char *)(p) + (x) / 2, v)
 #define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
 #define SF_NARROWER (&table_sse2)
 #include "simd/template.h"
@@ -72,7 +119,7 @@ static uint64_t popcount_of(uint64_t w)
 
 #define SF_FN(name) name##_avx512
 #define SF_NAME "avx512"
-#define SF_TARGET __attribute__((target("avx512f,avx512vbmi2,popcnt")))
+#define SF_TARGET __attribute__((target("avx512f,avx512bw,avx512vbmi2,popcnt")))
 #define SF_VEC __m512i
 #define SF_LANES 8
 #define SF_LOAD(p) _mm512_loadu_si512((const void *)(p))
@@ -90,14 +137,23 @@ static uint64_t popcount_of(uint64_t w)
 #define SF_LAST(w) _mm512_mask_set1_epi64(_mm512_set1_epi64(-1), 0x80, (long long)(w))
 #define SF_PREV(p, c) _mm512_alignr_epi64(c, p, 7)
 #define SF_NEXT(c, n) _mm512_alignr_epi64(n, c, 1)
+#define SF_LOAD16(p) _mm512_loadu_si512((const void *)(p))
+#define SF_STORE16(p, v) _mm512_storeu_si512((void *)(p), v)
+#define SF_MIN16(a, b) _mm512_min_epu16(a, b)
+#define SF_ADD16(a, b) _mm512_adds_epu16(a, b)
+#define SF_EACH16(n) _mm512_set1_epi16((short)(n))
+#define SF_SPREAD16(w) _mm512_movm_epi16((__mmask32)(w))
+#define SF_NIBBLES(p, x, v)                                                                        \
+    _mm_storeu_si128((__m128i *)(void *)((unsigned char *)(p) + (x) / 2),                          \
+                     _mm512_cvtepi32_epi8(_mm512_or_si512(v, _mm512_srli_epi32(v, 12))))
 #define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
 #define SF_NARROWER (&table_avx2)
 #include "simd/template.h"
 
 const sfi_kernels *sfi_kernels_avx512(void)
 {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vbmi2") &&
-                   __builtin_cpu_supports("popcnt")
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512vbmi2") && __builtin_cpu_supports("popcnt")
                ? &table_avx512
                : NULL;
 }

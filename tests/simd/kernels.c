@@ -55,6 +55,24 @@ static void binary(const sfi_kernels *k, size_t count, int at_end)
     CHECK(memcmp(got, want, 8 * count) == 0);
 }
 
+// Rectangles that are empty but for a bit or two, so that each mask and each word decides.
+static void rectangles(const sfi_kernels *k, size_t count, int at_end)
+{
+    const sfi_kernels *r = sfi_kernels_reference();
+    size_t stride = count + test_random_below(3), total = stride * (ROWS - 1) + count;
+    uint64_t *words = guarded_words(area[0], total, at_end);
+    for (int i = 0; i < 40; i++) {
+        uint64_t first = ~UINT64_C(0) << test_random_below(64);
+        uint64_t last = ~UINT64_C(0) >> test_random_below(64);
+        memset(words, 0, 8 * total);
+        for (int bit = 0; bit < i % 3; bit++) {
+            words[test_random_below((uint32_t)total)] |= UINT64_C(1) << test_random_below(64);
+        }
+        CHECK_EQ(k->any_in_rows(words, stride, ROWS, count, first, last),
+                 r->any_in_rows(words, stride, ROWS, count, first, last));
+    }
+}
+
 static void widening(const sfi_kernels *k, size_t count, int at_end)
 {
     const sfi_kernels *r = sfi_kernels_reference();
@@ -121,6 +139,41 @@ static void trimming(const sfi_kernels *k, uint32_t width, int at_end)
     }
 }
 
+// Keys of a row as they stand in a path map: some small, some at the limit, some without a path.
+static uint16_t *fill_keys(unsigned char *in, size_t count, int at_end)
+{
+    uint16_t *keys = (uint16_t *)(void *)guarded_words(in, 16 * count + 2, at_end);
+    for (size_t x = 0; x < 64 * count + 8; x++) {
+        uint32_t some[4] = {test_random_below(4), test_random_below(4096),
+                            4095 - test_random_below(2), 4096};
+        uint32_t cost = some[test_random_below(4)];
+        keys[x] = (uint16_t)(cost < 4096 ? 16 * cost : SFI_PATH_NONE);
+    }
+    // One value before the row is read, and one behind it: nothing farther out.
+    return at_end ? keys + 7 : keys + 1;
+}
+
+static void path_rows(const sfi_kernels *k, size_t count, int at_end)
+{
+    static uint16_t got_keys[64 * 41], want_keys[64 * 41];
+    static uint64_t got[4 * 41], want[4 * 41], shut[41];
+    const uint16_t *below[3];
+    for (int shape = 0; shape < 3; shape++) {
+        for (int i = 0; i < 3; i++) {
+            below[i] = fill_keys(area[i], count, at_end);
+        }
+        uint64_t *solid = guarded_words(area[3], count, at_end);
+        fill(solid, count, (int)test_random_below(6));
+        fill(shut, count, (int)test_random_below(6));
+        memset(got, 0xdb, sizeof got); // what is there before must not shine through
+        k->path_row(got_keys, got, below, (sfi_path_shape)shape, solid, shut, count);
+        sfi_kernels_reference()->path_row(want_keys, want, below, (sfi_path_shape)shape, solid,
+                                          shut, count);
+        CHECK(memcmp(got_keys, want_keys, 128 * count) == 0);
+        CHECK(memcmp(got, want, 32 * count) == 0);
+    }
+}
+
 static void table_equals_the_reference(void)
 {
     const sfi_kernels *kernels = sfi_kernels_for(isa);
@@ -136,6 +189,10 @@ static void table_equals_the_reference(void)
         binary(kernels, count, 0);
         widening(kernels, count, 1);
         widening(kernels, count, 0);
+        rectangles(kernels, count, 1);
+        rectangles(kernels, count, 0);
+        path_rows(kernels, count, 1);
+        path_rows(kernels, count, 0);
     }
     trimming(kernels, 4095, 1);
 }
