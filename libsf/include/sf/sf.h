@@ -7,6 +7,7 @@
 #include <sf/base.h>
 #include <sf/certificate.h>
 #include <sf/finding.h>
+#include <sf/grow.h>
 #include <sf/mesh.h>
 #include <sf/orient.h>
 #include <sf/preserve.h>

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Grow: the matter that is missing below a shape, as little of it as may be.
+//
+// A voxel that nothing carries is carried once a path below it is filled: one voxel in each layer,
+// each within reach of the one above, down to matter, to the bed, or to a voxel that something else
+// holds. A path finder gives the closest such path of one voxel.
+//
+// The cost of a path is the number of its voxels, where one that ends on the bed pays for its last
+// voxel the distance to the closest matter of the bed slice, in voxels, rounded up (one where that
+// slice is empty). So paths stay close to the shape. This is the paper's cost with one change: it
+// is zero at matter, and so a path ends at the first matter that it can reach.
+//
+// Nothing here removes matter. Of the terms' masks, `exempt`, `forbid` and `act` are heeded.
+
+#ifndef SF_GROW_H
+#define SF_GROW_H
+
+#include <sf/support.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A voxel of a grid. */
+typedef struct sf_voxel {
+    uint32_t x, y, z; /**< column, row, layer */
+} sf_voxel;
+
+/** What matter a path may end on. */
+typedef enum sf_landing {
+    SF_LANDING_ANY = 0,  /**< any matter from the bed layer up, as in the paper; under slack, matter
+                              that hangs in the air has no reach to spare */
+    SF_LANDING_ALIVE = 1 /**< only what is alive under the whole rule; other matter is passed
+                              through, a step like any other, and lies in the path */
+} sf_landing;
+
+/** What a path ends on. */
+typedef enum sf_path_end {
+    SF_PATH_END_MATTER = 0, /**< its last voxel rests on matter of the layer below */
+    SF_PATH_END_BED = 1,    /**< its last voxel lies on the bed */
+    SF_PATH_END_HELD = 2    /**< its last voxel is exempt: it needs nothing below it */
+} sf_path_end;
+
+/** What is known of a path beside its voxels. */
+typedef struct sf_path {
+    size_t count;        /**< voxels of the path: neither the one asked about nor matter below */
+    sf_path_end end;     /**< what it ends on */
+    sf_voxel landing;    /**< the matter below its last voxel; else its last voxel itself, which is
+                              the one asked about where the path is empty */
+    uint64_t cost;       /**< as told above */
+    uint64_t bed_square; /**< on the bed: squared distance of its last voxel to the closest matter
+                              of the bed slice, in voxels; 0 else, and where that slice is empty */
+} sf_path;
+
+// ---------------------------------------------------------------------------------------------
+// Path finder
+// ---------------------------------------------------------------------------------------------
+
+/** Finds closest supporting paths in a grid, one at a time. */
+typedef struct sf_path_finder sf_path_finder;
+
+/**
+ * Make a path finder for a grid.
+ *
+ * Where any matter may be landed on and the rule is box3, octagon or disk the finder looks at
+ * nothing but the grid as it is when it is asked: changes count at once. Under slack, or for
+ * landing on living matter only, it keeps what is alive, and sf_path_finder_refresh() brings that
+ * up to date. Bridges carry what stands there, but a path does not count on new ones.
+ *
+ * @param grid       the shape; it and the masks must outlive the finder
+ * @param terms      rule, bed layer and masks, copied. With SF_BED_AUTO the bed is the first layer
+ *                   that holds matter now (or at the last refresh), layer 0 in an empty grid
+ * @param landing    what matter a path may end on
+ * @param allocator  for the finder and what its questions need; NULL for the C library's
+ * @param task       NULL, or progress per slice; a cancel is honoured at every slice
+ * @param finder     the finder
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such landing, terms without their
+ * struct_size, a bed layer that the grid has not, a rule that does not serve all its layers;
+ * SF_ERR_SHAPE: a mask of other counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost a search for the bed; where the finder keeps what is alive, a trim, and under slack a byte
+ * for each voxel.
+ * @threads any; the grids are only read.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_path_finder_create(const sf_grid *grid, const sf_terms *terms,
+                                                  sf_landing landing, const sf_allocator *allocator,
+                                                  sf_task *task, sf_path_finder **finder);
+
+/**
+ * Free a path finder; NULL does nothing.
+ *
+ * @cost constant.   @threads one, and nobody else with this finder.   @since 0.2
+ */
+SF_API void sf_path_finder_destroy(sf_path_finder *finder);
+
+/**
+ * Bring what a finder keeps up to date with its grid: the bed, what is alive, its reach.
+ *
+ * @param finder  the finder; as it was when the call fails
+ * @param task    NULL, or progress per slice; a cancel is honoured at every slice
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost as sf_path_finder_create().   @threads one per finder.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_task *task);
+
+/**
+ * The closest supporting path of a voxel, solid or not: what to fill so that it is carried.
+ *
+ * The path goes from the layer below the voxel downwards, without the voxel itself and without the
+ * matter that it lands on. It is empty where the voxel is carried already, lies on the bed or is
+ * exempt. Among the paths of least cost: matter before a held voxel before the bed; the least
+ * distance of the landing from the voxel in the plane (on the bed first the least distance to the
+ * matter there), then the least y, then the least x of it. Between voxel and landing the path stays
+ * close to the straight line. With a bed slice that is empty it goes straight down if it may.
+ *
+ * @param finder    the finder
+ * @param from      the voxel; whether it may be filled itself is not asked
+ * @param path      the voxels, from the top; may be NULL where capacity is 0
+ * @param capacity  places in `path`; the layers of the grid are always enough
+ * @param found     what is known of the path
+ * @return SF_OK; SF_ERR_CAPACITY: too few places, with `found` filled and `path` not written;
+ * SF_ERR_INFEASIBLE: there is no path, as below the bed layer or where the masks leave no way;
+ * SF_ERR_ARGUMENT: a NULL pointer, a voxel outside the grid; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+ * @cost O(t^3 / 64) word reads where the path is t layers long; under slack, and where the masks
+ * lie in the way, O(t^3) bytes and memory for them.
+ * @threads one per finder; the grids are only read.
+ * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
+ * Eurographics 2016, section 2.2 (grow), by a search of the downward cone in place of a map.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_path_finder_find(sf_path_finder *finder, sf_voxel from,
+                                                sf_voxel *path, size_t capacity, sf_path *found);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

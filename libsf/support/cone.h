@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The downward cone of a voxel, for rules that are an element for each step.
+
+#ifndef SF_SUPPORT_CONE_H
+#define SF_SUPPORT_CONE_H
+
+#include <sf/grow.h>
+
+// The windows below one voxel: window t holds the offsets that t steps down can make. Begin with
+// sfi_cone_begin(), then sfi_cone_deepen() for t = 1, 2, ...
+typedef struct sfi_cone {
+    sf_rule rule; // box3, octagon or disk, no bridges
+    uint32_t width, height;
+    sf_allocator allocator;
+    uint32_t top;          // layer of the voxel
+    uint32_t depth;        // windows known so far
+    uint32_t axis, square; // box3 and octagon: the last window in closed form
+    uint16_t *rows;        // disk: half widths of windows 1, 2, ..., `height` places for each
+    size_t capacity;       // places in rows
+    uint32_t kept;         // disk of one height: windows known from earlier voxels
+} sfi_cone;
+
+// A rectangle around a window, half-open, and which part of each of its rows the window takes.
+typedef struct sfi_window {
+    const sfi_cone *cone;
+    uint32_t depth;
+    uint32_t reach_y;      // rows above and below, within the slice's height
+    uint32_t axis, square; // closed form
+    const uint16_t *rows;  // or half widths
+} sfi_window;
+
+// A row beyond the window.
+#define SFI_WINDOW_NONE UINT32_MAX
+
+sfi_cone sfi_cone_create(const sf_rule *plain, uint32_t width, uint32_t height,
+                         const sf_allocator *allocator);
+void sfi_cone_destroy(sfi_cone *cone);
+void sfi_cone_begin(sfi_cone *cone, uint32_t top);
+
+// The next window. SF_ERR_MEMORY, SF_ERR_OVERFLOW.
+sf_status sfi_cone_deepen(sfi_cone *cone, sfi_window *window);
+
+// Farthest dx of a window at dy rows from the middle, at least the width's if there is more; or
+// SFI_WINDOW_NONE.
+uint32_t sfi_window_half_width(const sfi_window *window, uint32_t dy);
+
+// The window one step shorter.
+sfi_window sfi_window_shorten(const sfi_window *window);
+
+// Write the voxels of a chain down from `from` to `to`, both left out, window->depth layers apart
+// and within the window: each step lies in its layer's element.
+void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_voxel *chain);
+
+#endif
