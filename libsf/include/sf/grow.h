@@ -3,7 +3,8 @@
 //
 // A voxel that nothing carries is carried once a path below it is filled: one voxel in each layer,
 // each within reach of the one above, down to matter, to the bed, or to a voxel that something else
-// holds. A path finder gives the closest such path of one voxel; a path map those of all voxels.
+// holds. A path finder gives the closest such path of one voxel; a path map those of all voxels; a
+// brush put along a path gives it body.
 //
 // The cost of a path is the number of its voxels, where one that ends on the bed pays for its last
 // voxel the distance to the closest matter of the bed slice, in voxels, rounded up (one where that
@@ -217,6 +218,53 @@ SF_API void sf_path_map_destroy(sf_path_map *map);
  */
 SF_API SF_CHECKED sf_status sf_path_map_walk(const sf_path_map *map, sf_voxel from, sf_voxel *path,
                                              size_t capacity, sf_path *found);
+
+// ---------------------------------------------------------------------------------------------
+// Brush along a path
+// ---------------------------------------------------------------------------------------------
+
+/** A brush, and where it goes. */
+typedef struct sf_stroke {
+    const sf_grid *brush; /**< a shape of any size, smaller than the grid or not */
+    sf_voxel anchor;      /**< its voxel that comes to lie on each voxel of the path */
+    const sf_voxel *path; /**< voxels, one for each layer, from the top, as a finder gives them */
+    size_t count;         /**< number of voxels; 0 adds nothing */
+} sf_stroke;
+
+/** Counts of sf_grid_emit(). */
+typedef struct sf_emit_report {
+    uint64_t added_voxels;   /**< voxels that became solid */
+    uint64_t trimmed_voxels; /**< voxels of the brush that were left out because nothing carries
+                                  them; those outside the grid or the masks do not count */
+} sf_emit_report;
+
+/**
+ * Put a brush on every voxel of a path, and leave out of it what would hang in the air.
+ *
+ * What was solid stays, whatever carries it. What is added is carried, by what was there or by what
+ * is added; so the result is support-free if the shape was. The path itself is always added, with
+ * or without the brush's anchor.
+ *
+ * @param grid       the shape, changed in place
+ * @param terms      rule, bed layer and masks; nothing is added outside `act` or within `forbid`,
+ *                   nor below the bed
+ * @param stroke     brush and path
+ * @param allocator  for working memory: the layers that the brush meets; NULL for the C library's
+ * @param report     counts, or NULL
+ * @return SF_OK; SF_ERR_INFEASIBLE: a voxel of the path may not be added, or would hang in the air;
+ * SF_ERR_ARGUMENT: a NULL pointer, an anchor outside the brush, a path outside the grid, terms as
+ * in sf_path_finder_create(), a brush or a mask that is the grid; SF_ERR_SHAPE: a mask of other
+ * counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY. Only SF_OK changes the grid.
+ * @cost the brush's rows for each voxel of the path, and a trim of the layers it meets; under slack
+ * of all layers up to there.
+ * @threads one per grid.
+ * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
+ * Eurographics 2016, section 2.2 (grow); that what is added must be trimmed is the library's own.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_emit(sf_grid *grid, const sf_terms *terms,
+                                         const sf_stroke *stroke, const sf_allocator *allocator,
+                                         sf_emit_report *report);
 
 #ifdef __cplusplus
 }
