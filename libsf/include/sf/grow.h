@@ -4,7 +4,7 @@
 // A voxel that nothing carries is carried once a path below it is filled: one voxel in each layer,
 // each within reach of the one above, down to matter, to the bed, or to a voxel that something else
 // holds. A path finder gives the closest such path of one voxel; a path map those of all voxels; a
-// brush put along a path gives it body.
+// brush put along a path gives it body; and sf_grid_grow() does all of a shape at once.
 //
 // The cost of a path is the number of its voxels, where one that ends on the bed pays for its last
 // voxel the distance to the closest matter of the bed slice, in voxels, rounded up (one where that
@@ -265,6 +265,48 @@ typedef struct sf_emit_report {
 SF_API SF_CHECKED sf_status sf_grid_emit(sf_grid *grid, const sf_terms *terms,
                                          const sf_stroke *stroke, const sf_allocator *allocator,
                                          sf_emit_report *report);
+
+// ---------------------------------------------------------------------------------------------
+// Whole grid
+// ---------------------------------------------------------------------------------------------
+
+/** Counts of sf_grid_grow(). */
+typedef struct sf_grow_report {
+    uint64_t kept_voxels;  /**< solid voxels before, all of which are left */
+    uint64_t added_voxels; /**< voxels that became solid */
+    uint32_t bed_layer;    /**< the bed layer; SF_BED_AUTO when the grid holds no matter */
+} sf_grow_report;
+
+/**
+ * Add what a shape lacks to be support-free, in place; nothing is removed.
+ *
+ * From the top down: in each layer the voxels that nothing carries are given supporters below,
+ * those from which the way to matter or to the bed is shortest, and among these those that carry
+ * most; no supporter is kept without which all would be carried. What is added is little, but not
+ * the least there is: that is a hard problem even in one layer. Exempt voxels need no support, and
+ * what bridges keep alive needs none. The result is checked under the whole rule before the grid is
+ * written.
+ *
+ * @param grid       the shape, changed in place
+ * @param terms      rule, bed layer and masks
+ * @param allocator  for working memory: two grids and two bytes for each voxel, under slack up to
+ *                   four; NULL for the C library's
+ * @param task       NULL, or progress per slice; a cancel is honoured at every slice
+ * @param culprits   NULL, or a grid that is set, on SF_ERR_INFEASIBLE, to the voxels of the shape
+ *                   that cannot be carried whatever may be added
+ * @param report     counts, or NULL
+ * @return SF_OK; SF_ERR_INFEASIBLE: some voxels cannot be carried, and the shape is as it was;
+ * SF_ERR_ARGUMENT: a NULL pointer, a mask or culprits that are the grid, terms as in
+ * sf_grid_feasible(); SF_ERR_SHAPE: grids that differ in counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY;
+ * SF_ERR_CANCELLED; SF_ERR_INTERNAL: the result failed its check.
+ * @cost a map of costs (voxels times those of the element), and for each voxel without support and
+ * for each one added the voxels of the element.
+ * @threads one per grid.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_grow(sf_grid *grid, const sf_terms *terms,
+                                         const sf_allocator *allocator, sf_task *task,
+                                         sf_grid *culprits, sf_grow_report *report);
 
 #ifdef __cplusplus
 }
