@@ -28,6 +28,9 @@ void bench_measure(const char *job, const char *size, double goal, double amount
 void bench_must(sf_status status);
 void *bench_memory(size_t size);
 
+// The processor's time on this thread.
+double bench_now_ms(void);
+
 // The jobs, by file.
 void bench_trim(void);
 void bench_trim_box(void);
@@ -36,5 +39,6 @@ void bench_preserve(void);
 void bench_sums(void);
 void bench_meshes(void);
 void bench_repair(void);
+void bench_grow(void);
 
 #endif

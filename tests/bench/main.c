@@ -139,6 +139,7 @@ int main(int argc, char **argv)
     bench_morphology();
     bench_preserve();
     bench_meshes();
+    bench_grow();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-static double now_ms(void)
+double bench_now_ms(void)
 {
 #if defined(CLOCK_THREAD_CPUTIME_ID)
     struct timespec t;
@@ -29,9 +29,9 @@ static double time_ms(const bench_work *work, void (*what)(void *))
     if (work->prepare != NULL) {
         work->prepare(work->user);
     }
-    double start = now_ms();
+    double start = bench_now_ms();
     what(work->user);
-    return now_ms() - start;
+    return bench_now_ms() - start;
 }
 
 static int ascending(const void *a, const void *b)

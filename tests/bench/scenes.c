@@ -62,10 +62,10 @@ static void add_ball(sf_grid *grid, double x, double y, double z, double radius)
     }
 }
 
-sf_grid *scene_balls(uint32_t n)
+static sf_grid *scene_of_balls(uint32_t n, int balls)
 {
     sf_grid *grid = cube(n);
-    for (int ball = 0; ball < 60; ball++) {
+    for (int ball = 0; ball < balls; ball++) {
         double at[3], radius = n * (0.06 + 0.12 * random_unit());
         for (int axis = 0; axis < 3; axis++) {
             at[axis] = n * random_unit();
@@ -88,6 +88,16 @@ sf_grid *scene_four_balls(uint32_t n)
     sf_rect plate = {n / 16, n / 16, n - n / 16, n - n / 16};
     bench_must(sf_slice_fill(sf_grid_slice(grid, 0), plate, 1));
     return grid;
+}
+
+sf_grid *scene_balls(uint32_t n)
+{
+    return scene_of_balls(n, 60);
+}
+
+sf_grid *scene_far_balls(uint32_t n)
+{
+    return scene_of_balls(n, 12);
 }
 
 static void fill_with_noise(sf_slice slice)

@@ -13,6 +13,9 @@ sf_grid *scene_noise(uint32_t n);
 // n^3 voxels, 23 M of 512^3 solid: four balls over a plate, three of them in the air.
 sf_grid *scene_four_balls(uint32_t n);
 
+// The first twelve of the balls: most of the grid is empty, and far from anything.
+sf_grid *scene_far_balls(uint32_t n);
+
 // A layer of a resin printer's plate: parts, and thousands of supports. Free its words.
 sf_slice scene_plate(uint32_t width, uint32_t height);
 sf_slice scene_noise_slice(uint32_t width, uint32_t height);
