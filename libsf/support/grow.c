@@ -258,7 +258,7 @@ static sf_status create_run(sfi_growth *g)
         return SF_ERR_OVERFLOW;
     }
     SF_TRY(sf_grid_create(&layers, &g->site.allocator, &g->bits));
-    SF_TRY(sfi_cover_create(&g->cover, &g->site));
+    SF_TRY(sfi_grow_cover_create(&g->cover, &g->site));
     g->price = sfi_alloc_array(&g->site.allocator, area, sizeof *g->price);
     if (g->price == NULL) {
         return SF_ERR_MEMORY;
@@ -318,7 +318,7 @@ static void growth_clear(sfi_growth *g)
     sfi_free_array(a, g->price, g->area * (nz - g->site.bed), sizeof *g->price);
     sfi_free_array(a, g->demand[0], g->area, 1);
     sfi_free_array(a, g->demand[1], g->area, 1);
-    sfi_cover_destroy(&g->cover);
+    sfi_grow_cover_destroy(&g->cover);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ enum { NEEDY = 1, SERVED = 2, DROPPED = 4 };
 // Memory
 // ---------------------------------------------------------------------------------------------
 
-void sfi_cover_destroy(sfi_cover *c)
+void sfi_grow_cover_destroy(sfi_grow_cover *c)
 {
     const sf_allocator *a = &c->allocator;
     sfi_free_array(a, c->reach, c->reach_capacity, sizeof *c->reach);
@@ -53,13 +53,13 @@ void sfi_cover_destroy(sfi_cover *c)
     sfi_blocks_destroy(&c->blocks, a);
 }
 
-sf_status sfi_cover_create(sfi_cover *c, const sfi_site *site)
+sf_status sfi_grow_cover_create(sfi_grow_cover *c, const sfi_site *site)
 {
-    sfi_cover empty = {.allocator = site->allocator,
-                       .width = site->lattice.nx,
-                       .height = site->lattice.ny,
-                       .has_slack = site->plain.kind == SF_RULE_SLACK,
-                       .cap = site->plain.slack_cap};
+    sfi_grow_cover empty = {.allocator = site->allocator,
+                            .width = site->lattice.nx,
+                            .height = site->lattice.ny,
+                            .has_slack = site->plain.kind == SF_RULE_SLACK,
+                            .cap = site->plain.slack_cap};
     *c = empty;
     if (!sfi_size_mul(c->width, c->height, &c->area) || !sfi_size_add(c->area, 63, &c->words)) {
         c->area = 0;
@@ -90,7 +90,7 @@ sf_status sfi_cover_create(sfi_cover *c, const sfi_site *site)
     return sfi_blocks_create(&c->blocks, c->width, c->height, a);
 }
 
-sf_status sfi_cover_set_step(sfi_cover *c, const sf_rule *plain, uint32_t k)
+sf_status sfi_grow_cover_set_step(sfi_grow_cover *c, const sf_rule *plain, uint32_t k)
 {
     sf_element e;
     SF_TRY(sf_rule_element(plain, k, &e));
@@ -120,7 +120,7 @@ sf_status sfi_cover_set_step(sfi_cover *c, const sf_rule *plain, uint32_t k)
 // Bridges
 // ---------------------------------------------------------------------------------------------
 
-static void mark_needy(sfi_cover *c)
+static void mark_needy(sfi_grow_cover *c)
 {
     for (size_t i = 0; i < c->needy_count; i++) {
         c->mark[c->needy[i]] |= NEEDY;
@@ -128,7 +128,7 @@ static void mark_needy(sfi_cover *c)
 }
 
 // Number of needy voxels without a demand, one after the other in a line from v.
-static uint32_t line_length(const sfi_cover *c, uint32_t v, uint32_t step)
+static uint32_t line_length(const sfi_grow_cover *c, uint32_t v, uint32_t step)
 {
     uint32_t most = step == 1 ? c->width - v % c->width : c->height - v / c->width, n = 0;
     while (n < most && (c->mark[v + n * step] & NEEDY) != 0 &&
@@ -138,7 +138,7 @@ static uint32_t line_length(const sfi_cover *c, uint32_t v, uint32_t step)
     return n;
 }
 
-void sfi_cover_thin(sfi_cover *c, uint32_t step, uint32_t span, uint32_t anchor)
+void sfi_grow_cover_thin(sfi_grow_cover *c, uint32_t step, uint32_t span, uint32_t anchor)
 {
     uint32_t period = span + anchor;
     mark_needy(c);
@@ -168,7 +168,7 @@ void sfi_cover_thin(sfi_cover *c, uint32_t step, uint32_t span, uint32_t anchor)
 // ---------------------------------------------------------------------------------------------
 
 // The voxel at a reach from v, towards below (sign 1) or back up (sign -1); 0 outside the slice.
-static int at_reach(const sfi_cover *c, uint32_t v, const sfi_reach *r, int sign, uint32_t *u)
+static int at_reach(const sfi_grow_cover *c, uint32_t v, const sfi_reach *r, int sign, uint32_t *u)
 {
     int64_t x = (int64_t)(v % c->width) + sign * r->dx, y = (int64_t)(v / c->width) + sign * r->dy;
     if (x < 0 || y < 0 || x >= c->width || y >= c->height) {
@@ -178,14 +178,14 @@ static int at_reach(const sfi_cover *c, uint32_t v, const sfi_reach *r, int sign
     return 1;
 }
 
-static uint32_t required(const sfi_cover *c, uint32_t v, const sfi_reach *r)
+static uint32_t required(const sfi_grow_cover *c, uint32_t v, const sfi_reach *r)
 {
     uint32_t wanted = (c->has_slack ? c->demand[v] : 0) + r->cost;
     return wanted > c->gain ? wanted - c->gain : 0;
 }
 
 // Whether u below may carry v at that reach.
-static int is_able(const sfi_cover *c, uint32_t v, uint32_t u, const sfi_reach *r)
+static int is_able(const sfi_grow_cover *c, uint32_t v, uint32_t u, const sfi_reach *r)
 {
     if (c->price[u] == SFI_PRICE_NONE) {
         return 0;
@@ -199,7 +199,7 @@ static int is_able(const sfi_cover *c, uint32_t v, uint32_t u, const sfi_reach *
 }
 
 // Find the price that v looks at; 0 where nothing can carry it.
-static int find_least(sfi_cover *c, uint32_t v)
+static int find_least(sfi_grow_cover *c, uint32_t v)
 {
     uint16_t least = SFI_PRICE_NONE;
     for (size_t i = 0; i < c->reach_count; i++) {
@@ -213,7 +213,7 @@ static int find_least(sfi_cover *c, uint32_t v)
     return least != SFI_PRICE_NONE;
 }
 
-static uint64_t squared_distance(const sfi_cover *c, uint32_t u, uint32_t v)
+static uint64_t squared_distance(const sfi_grow_cover *c, uint32_t u, uint32_t v)
 {
     int64_t dx = (int64_t)(u % c->width) - v % c->width;
     int64_t dy = (int64_t)(u / c->width) - v / c->width;
@@ -221,7 +221,7 @@ static uint64_t squared_distance(const sfi_cover *c, uint32_t u, uint32_t v)
 }
 
 // Add v to the counts of all candidates that it looks at, or take it out of them (sign -1).
-static void count_looks(sfi_cover *c, uint32_t v, int sign)
+static void count_looks(sfi_grow_cover *c, uint32_t v, int sign)
 {
     uint64_t look = c->reach_count + 1, nearest = UINT64_MAX;
     uint32_t goal = sfi_blocks_goal(&c->blocks, v, c->least[v]), favourite = v;
@@ -241,7 +241,7 @@ static void count_looks(sfi_cover *c, uint32_t v, int sign)
 }
 
 // What those who look at u, and are not served, ask of it at most.
-static uint32_t most_asked(const sfi_cover *c, uint32_t u)
+static uint32_t most_asked(const sfi_grow_cover *c, uint32_t u)
 {
     uint32_t most = 0;
     for (size_t i = 0; c->has_slack && i < c->reach_count; i++) {
@@ -256,12 +256,12 @@ static uint32_t most_asked(const sfi_cover *c, uint32_t u)
 }
 
 // Whether a chosen u serves v.
-static int serves(const sfi_cover *c, uint32_t u, uint32_t v, const sfi_reach *r)
+static int serves(const sfi_grow_cover *c, uint32_t u, uint32_t v, const sfi_reach *r)
 {
     return (c->mark[v] & NEEDY) != 0 && (!c->has_slack || required(c, v, r) <= c->asked[u]);
 }
 
-static void take(sfi_cover *c, uint32_t u)
+static void take(sfi_grow_cover *c, uint32_t u)
 {
     c->asked[u] = (uint8_t)most_asked(c, u);
     c->chosen[c->chosen_count++] = u;
@@ -279,7 +279,7 @@ static void take(sfi_cover *c, uint32_t u)
 }
 
 // Take candidates, those that most look at first.
-static void take_all(sfi_cover *c)
+static void take_all(sfi_grow_cover *c)
 {
     uint64_t most = 0;
     for (size_t i = 0; i < c->words; i++) {
@@ -304,7 +304,7 @@ static void take_all(sfi_cover *c)
 }
 
 // Whether all that a chosen u serves have another supporter, too.
-static int is_idle(const sfi_cover *c, uint32_t u)
+static int is_idle(const sfi_grow_cover *c, uint32_t u)
 {
     for (size_t i = 0; i < c->reach_count; i++) {
         uint32_t v;
@@ -316,7 +316,7 @@ static int is_idle(const sfi_cover *c, uint32_t u)
     return 1;
 }
 
-static void drop(sfi_cover *c, uint32_t u)
+static void drop(sfi_grow_cover *c, uint32_t u)
 {
     c->mark[u] |= DROPPED;
     for (size_t i = 0; i < c->reach_count; i++) {
@@ -328,7 +328,7 @@ static void drop(sfi_cover *c, uint32_t u)
 }
 
 // Drop chosen ones that nobody depends on, the last one first.
-static void drop_idle(sfi_cover *c)
+static void drop_idle(sfi_grow_cover *c)
 {
     size_t kept = 0;
     for (size_t i = c->chosen_count; i-- > 0;) {
@@ -345,7 +345,7 @@ static void drop_idle(sfi_cover *c)
     c->chosen_count = kept;
 }
 
-sf_status sfi_cover_choose(sfi_cover *c)
+sf_status sfi_grow_cover_choose(sfi_grow_cover *c)
 {
     sf_status status = SF_OK;
     c->chosen_count = 0;

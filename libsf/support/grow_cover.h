@@ -36,7 +36,7 @@ void sfi_blocks_add(sfi_blocks *blocks, uint32_t v, uint32_t add);
 uint32_t sfi_blocks_goal(const sfi_blocks *blocks, uint32_t v, uint32_t steps);
 
 // What a layer needs, and what the layer below offers. Voxels are numbers y * width + x.
-typedef struct sfi_cover {
+typedef struct sfi_grow_cover {
     sf_allocator allocator;
     uint32_t width, height;
     size_t area;
@@ -65,20 +65,20 @@ typedef struct sfi_cover {
     uint64_t *possible; // bits of the candidates
     size_t words;
     sfi_blocks blocks;
-} sfi_cover;
+} sfi_grow_cover;
 
 // SF_ERR_MEMORY, SF_ERR_OVERFLOW; destroying what was never created (all zero) does nothing.
-sf_status sfi_cover_create(sfi_cover *cover, const sfi_site *site);
-void sfi_cover_destroy(sfi_cover *cover);
+sf_status sfi_grow_cover_create(sfi_grow_cover *cover, const sfi_site *site);
+void sfi_grow_cover_destroy(sfi_grow_cover *cover);
 
 // Make the reach that of the step between layers k and k + 1.
-sf_status sfi_cover_set_step(sfi_cover *cover, const sf_rule *plain, uint32_t k);
+sf_status sfi_grow_cover_set_step(sfi_grow_cover *cover, const sf_rule *plain, uint32_t k);
 
 // Drop needy voxels that bridges will hold between those that are left: along x (step 1) or along y
 // (step width), with gaps of at most `span` between at least `anchor` voxels.
-void sfi_cover_thin(sfi_cover *cover, uint32_t step, uint32_t span, uint32_t anchor);
+void sfi_grow_cover_thin(sfi_grow_cover *cover, uint32_t step, uint32_t span, uint32_t anchor);
 
 // Choose supporters for all needy voxels. SF_ERR_INTERNAL where one of them can have none.
-sf_status sfi_cover_choose(sfi_cover *cover);
+sf_status sfi_grow_cover_choose(sfi_grow_cover *cover);
 
 #endif

@@ -44,7 +44,7 @@ static uint32_t spare_of_shape(const sfi_growth *g, uint32_t k, uint32_t x, uint
 // Under slack: whether a voxel of S in the layer below gives v what it is asked for.
 static int is_carried_by_shape(const sfi_growth *g, uint32_t k, uint32_t x, uint32_t y, uint32_t d)
 {
-    const sfi_cover *c = &g->cover;
+    const sfi_grow_cover *c = &g->cover;
     sf_slice below = sf_grid_slice(g->site.grid, k - 1);
     for (size_t i = 0; i < c->reach_count; i++) {
         int64_t u = (int64_t)x + c->reach[i].dx, v = (int64_t)y + c->reach[i].dy;
@@ -95,7 +95,7 @@ static uint64_t suspect_word(const sfi_growth *g, uint32_t k, uint32_t y, size_t
 
 static void find_needy(sfi_growth *g, uint32_t k)
 {
-    sfi_cover *c = &g->cover;
+    sfi_grow_cover *c = &g->cover;
     size_t words = sfi_row_words(c->width);
     c->needy_count = 0;
     for (uint32_t y = 0; y < c->height; y++) {
@@ -251,7 +251,7 @@ static sf_status clear(sf_slice slice)
 static sf_status begin_layer(sfi_growth *g, uint32_t k)
 {
     sf_element e;
-    SF_TRY(sfi_cover_set_step(&g->cover, &g->site.plain, k - 1));
+    SF_TRY(sfi_grow_cover_set_step(&g->cover, &g->site.plain, k - 1));
     SF_TRY(sf_rule_element(&g->site.plain, k - 1, &e));
     SF_TRY(clear(sf_grid_slice(g->bits, SFI_GROW_SPANNED)));
     SF_TRY(clear(sf_grid_slice(g->bits, SFI_GROW_ANCHOR)));
@@ -268,7 +268,7 @@ static sf_status begin_layer(sfi_growth *g, uint32_t k)
 // What was chosen is there, and asked for what the cover says.
 static sf_status apply(sfi_growth *g, uint32_t k)
 {
-    const sfi_cover *c = &g->cover;
+    const sfi_grow_cover *c = &g->cover;
     sf_slice below = sf_grid_slice(g->result, k - 1), raised = raised_slice(g, k - 1);
     for (size_t i = 0; i < c->chosen_count; i++) {
         uint32_t u = c->chosen[i], x = u % c->width, y = u / c->width;
@@ -310,10 +310,11 @@ sf_status sfi_growth_layer(sfi_growth *g, uint32_t k, sfi_growth_kind kind)
     SF_TRY(close_gaps(g, k, &is_closed));
     // The anchors of a bridge that must be are not to be dropped.
     if (kind == SFI_GROW_X && !is_closed) {
-        sfi_cover_thin(&g->cover, 1, b->span_x, b->anchor_x > 0 ? b->anchor_x : 1);
+        sfi_grow_cover_thin(&g->cover, 1, b->span_x, b->anchor_x > 0 ? b->anchor_x : 1);
     } else if (kind == SFI_GROW_Y && !is_closed) {
-        sfi_cover_thin(&g->cover, g->cover.width, b->span_y, b->anchor_y > 0 ? b->anchor_y : 1);
+        sfi_grow_cover_thin(&g->cover, g->cover.width, b->span_y,
+                            b->anchor_y > 0 ? b->anchor_y : 1);
     }
-    SF_TRY(sfi_cover_choose(&g->cover));
+    SF_TRY(sfi_grow_cover_choose(&g->cover));
     return apply(g, k);
 }

@@ -31,7 +31,7 @@ typedef struct sfi_growth {
     sf_grid *result;
     sf_grid *bits;      // working memory, by what follows
     uint8_t *demand[2]; // under slack, by voxels: of the layer and of the one below, by parity
-    sfi_cover cover;
+    sfi_grow_cover cover;
 } sfi_growth;
 
 // Layers of `bits`, for the layer at work: what the shape below carries (not under slack), what a
