@@ -32,7 +32,7 @@ compile() {
 }
 
 library=
-for source in libsf/*/*.c; do
+for source in libsf/*/*.c libsf/*/*/*.c; do
     library="$library$(compile "$source" -Ilibsf)"
 done
 scenes=

@@ -7,7 +7,7 @@
 
 #include "law/rules.h"
 
-#include "support/carry.h"
+#include "support/rule/carry.h"
 
 static void gaps_of(stack *gaps, const stack *s, const stack *own, const sf_bridge *bridge)
 {

@@ -4,7 +4,7 @@
 // 10.6, section 0 item 1), is the promise made to whoever gives an angle; that a lattice which a
 // rule cannot serve is refused with a sentence is the promise made to everybody else.
 
-#include "support/rule.h"
+#include "support/rule/rule.h"
 #include "test.h"
 
 #define DEGREE (3.14159265358979323846 / 180.0)

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+// Props: a set of voxels that carries a region, small and found fast.
+//
+// From the region downwards, layer by layer: what needs to be carried is covered by places of the
+// layer below; those places that nothing carries yet are what needs to be carried next. It ends
+// because every place that is taken has a price, so one below it has a lower one. Chains that meet
+// are one from there on: that is why a set is found for the region as a whole, and not a path for
+// each voxel.
+//
+// The least cover is a hard problem (ALGORITHMS 1.5), and the least set over all layers is harder.
+// Greedy: take the place with the lowest price for each voxel that it carries. For a set of one
+// voxel that is the lowest price, so a region of one voxel costs exactly its closest supporting
+// path. Of equal places the one that carries more goes first, then the one closer to the middle of
+// the region, so that chains far above everything run towards each other instead of side by side;
+// then the first in row order. The order is total, so the result is one and the same everywhere.
+//
+// What a place carries only shrinks while others are taken. So places lie in a heap under the
+// number that they had when they were last counted; the first is counted again, and is taken if
+// that changed nothing.
+//
+// Source: V. Chvatal, "A Greedy Heuristic for the Set-Covering Problem", 1979; counting late is M.
+// Minoux, "Accelerated greedy algorithms for maximizing submodular set functions", 1978.
+
+#include "support/check/prop.h"
+
+#include "base/bits.h"
+#include "base/memory.h"
+#include "base/size.h"
+#include "base/status.h"
+#include "voxel/slice.h"
+
+#include <sf/finding.h>
+
+// ---------------------------------------------------------------------------------------------
+// Windows of bits
+// ---------------------------------------------------------------------------------------------
+
+static uint32_t grown(uint32_t at, uint32_t by, uint32_t end)
+{
+    return end - at > by ? at + by : end;
+}
+
+static uint32_t shrunk(uint32_t at, uint32_t by)
+{
+    return at > by ? at - by : 0;
+}
+
+// The rows of `slice` that an element around (x, y) meets, and in row `row` its columns.
+static sf_rect window(sf_slice slice, uint32_t x, uint32_t y, const sf_element *e)
+{
+    sf_rect rect = {x, shrunk(y, e->reach_y), x, grown(y, e->reach_y + 1u, slice.height)};
+    return rect;
+}
+
+static void columns(sf_slice slice, uint32_t x, uint32_t y, uint32_t row, const sf_element *e,
+                    uint32_t *x0, uint32_t *x1)
+{
+    uint32_t w = e->half_width[row > y ? row - y : y - row];
+    *x0 = shrunk(x, w);
+    *x1 = grown(x, w + 1u, slice.width);
+}
+
+// The bits of word i that lie in x0 <= x < x1.
+static uint64_t within(size_t i, uint32_t x0, uint32_t x1)
+{
+    uint32_t first = (uint32_t)(64 * i);
+    uint64_t mask = ~UINT64_C(0);
+    if (x0 > first) {
+        mask &= mask << (x0 - first);
+    }
+    return x1 < first + 64 ? mask & (((uint64_t)1 << (x1 - first)) - 1) : mask;
+}
+
+static uint32_t count_bits(uint64_t w)
+{
+    uint32_t count = 0;
+    for (; w != 0; w &= w - 1) {
+        count++;
+    }
+    return count;
+}
+
+// Voxels of `need` that (x, y) carries; `take` clears them.
+static uint32_t carried_by(sf_slice need, uint32_t x, uint32_t y, const sf_element *e, int take)
+{
+    sf_rect rect = window(need, x, y, e);
+    uint32_t sum = 0;
+    for (uint32_t row = rect.y0; row < rect.y1; row++) {
+        uint32_t x0, x1;
+        uint64_t *words = sfi_slice_row(need, row);
+        columns(need, x, y, row, e, &x0, &x1);
+        for (size_t i = x0 / 64; i <= (x1 - 1) / 64; i++) {
+            uint64_t mask = within(i, x0, x1);
+            sum += count_bits(words[i] & mask);
+            words[i] &= take ? ~mask : ~UINT64_C(0);
+        }
+    }
+    return sum;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Places
+// ---------------------------------------------------------------------------------------------
+
+static int is_better(const sfi_prop_place *a, const sfi_prop_place *b)
+{
+    uint64_t p = (uint64_t)a->price * b->covers, q = (uint64_t)b->price * a->covers;
+    if (p != q) {
+        return p < q;
+    }
+    if (a->covers != b->covers) {
+        return a->covers > b->covers;
+    }
+    if (a->away != b->away) {
+        return a->away < b->away;
+    }
+    return a->y != b->y ? a->y < b->y : a->x < b->x;
+}
+
+// Let place i sink to where it belongs.
+static void sink(sfi_prop_place *places, size_t count, size_t i)
+{
+    sfi_prop_place moving = places[i];
+    for (;;) {
+        size_t child = 2 * i + 1;
+        if (child >= count) {
+            break;
+        }
+        if (child + 1 < count && is_better(&places[child + 1], &places[child])) {
+            child++;
+        }
+        if (!is_better(&places[child], &moving)) {
+            break;
+        }
+        places[i] = places[child];
+        i = child;
+    }
+    places[i] = moving;
+}
+
+// Distance of a place to the middle of a rectangle, in half voxels, the longer axis first.
+static uint32_t away_from(const sf_rect *region, uint32_t x, uint32_t y)
+{
+    uint32_t mx = region->x0 + region->x1 - 1, my = region->y0 + region->y1 - 1;
+    uint32_t dx = 2 * x > mx ? 2 * x - mx : mx - 2 * x, dy = 2 * y > my ? 2 * y - my : my - 2 * y;
+    return dx > dy ? dx : dy;
+}
+
+// All places of layer k that carry something in the rectangle, as a heap.
+static sf_status find_places(sfi_props *props, uint32_t k, const sf_rect *rect, const sf_element *e,
+                             const sf_rect *region)
+{
+    sf_slice need = props->need;
+    uint32_t y0 = shrunk(rect->y0, e->reach_y), y1 = grown(rect->y1, e->reach_y, need.height);
+    uint32_t x0 = shrunk(rect->x0, e->half_width[0]);
+    uint32_t x1 = grown(rect->x1, e->half_width[0], need.width);
+    props->count = 0;
+    for (uint32_t y = y0; y < y1; y++) {
+        const uint16_t *prices = sfi_footing_row(props->prices, k, y);
+        for (uint32_t x = x0; x < x1; x++) {
+            uint32_t covers = prices[x] == SFI_FOOTING_NONE ? 0 : carried_by(need, x, y, e, 0);
+            if (covers == 0) {
+                continue;
+            }
+            if (!sfi_grow_array(&props->allocator, (void **)&props->places, &props->capacity,
+                                props->count + 1, sizeof *props->places)) {
+                return SF_ERR_MEMORY;
+            }
+            sfi_prop_place place = {x, y, prices[x], covers, away_from(region, x, y)};
+            props->places[props->count++] = place;
+        }
+    }
+    for (size_t i = props->count / 2; i-- > 0;) {
+        sink(props->places, props->count, i);
+    }
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Layers
+// ---------------------------------------------------------------------------------------------
+
+static void widen(sf_rect *rect, uint32_t x0, uint32_t x1, uint32_t y)
+{
+    rect->x0 = x0 < rect->x0 ? x0 : rect->x0;
+    rect->x1 = x1 > rect->x1 ? x1 : rect->x1;
+    rect->y0 = y < rect->y0 ? y : rect->y0;
+    rect->y1 = y + 1 > rect->y1 ? y + 1 : rect->y1;
+}
+
+static void set_bit(sf_slice slice, uint32_t x, uint32_t y)
+{
+    sfi_slice_row(slice, y)[x / 64] |= (uint64_t)1 << (x % 64);
+}
+
+// Take places of layer k until all is carried; `below` becomes the rectangle around those that
+// nothing carries. Returns how many were taken.
+static uint64_t take_places(sfi_props *props, uint32_t k, const sf_element *e, sf_rect *below)
+{
+    sf_rect none = {UINT32_MAX, UINT32_MAX, 0, 0};
+    uint64_t taken = 0;
+    *below = none;
+    while (props->count > 0) {
+        sfi_prop_place *best = &props->places[0];
+        uint32_t covers = carried_by(props->need, best->x, best->y, e, 0);
+        if (covers == best->covers) {
+            (void)carried_by(props->need, best->x, best->y, e, 1);
+            if (props->added != NULL) {
+                set_bit(sf_grid_slice(props->added, k), best->x, best->y);
+            }
+            if (best->price > 1) {
+                set_bit(props->next, best->x, best->y);
+                widen(below, best->x, best->x + 1, best->y);
+            }
+            taken++;
+            covers = 0;
+        }
+        best->covers = covers;
+        if (covers == 0) {
+            *best = props->places[--props->count];
+        }
+        if (props->count > 0) {
+            sink(props->places, props->count, 0);
+        }
+    }
+    return taken;
+}
+
+// Whether each voxel of a run has a place below it that can be had.
+static int can_carry(const sfi_props *props, uint32_t k, const sf_run *run, const sf_element *e)
+{
+    for (uint32_t x = run->x0; x < run->x1; x++) {
+        sf_rect rect = window(props->need, x, run->y, e);
+        int found = 0;
+        for (uint32_t row = rect.y0; row < rect.y1 && !found; row++) {
+            const uint16_t *prices = sfi_footing_row(props->prices, k, row);
+            uint32_t x0, x1;
+            for (columns(props->need, x, run->y, row, e, &x0, &x1); x0 < x1 && !found; x0++) {
+                found = prices[x0] != SFI_FOOTING_NONE;
+            }
+        }
+        if (!found) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int can_carry_all(const sfi_props *props, uint32_t k, const sf_run *runs, size_t count,
+                         const sf_element *e)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!can_carry(props, k, &runs[i], e)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// Cover what props->need holds in `rect`, from layer k down.
+static sf_status prop_down(sfi_props *props, uint32_t k, sf_rect rect, uint64_t *cost)
+{
+    sf_rect region = rect;
+    sf_element element;
+    uint64_t sum = 0;
+    for (uint32_t layer = k; rect.x0 < rect.x1; layer--) {
+        sf_rect below;
+        SF_TRY(sfi_footing_element(props->rule, layer, &element));
+        SF_TRY(find_places(props, layer, &rect, &element, &region));
+        sum += take_places(props, layer, &element, &below);
+        sf_slice swap = props->need;
+        props->need = props->next;
+        props->next = swap;
+        rect = below;
+    }
+    *cost = sum;
+    return SF_OK;
+}
+
+sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t count, uint64_t *cost)
+{
+    sf_rect rect = {UINT32_MAX, UINT32_MAX, 0, 0};
+    sf_element element;
+    *cost = SF_COST_NONE;
+    if (k <= props->prices->bed) {
+        return SF_OK;
+    }
+    SF_TRY(sfi_footing_element(props->rule, k - 1, &element));
+    if (!can_carry_all(props, k - 1, runs, count, &element)) {
+        return SF_OK;
+    }
+    for (size_t i = 0; i < count; i++) {
+        widen(&rect, runs[i].x0, runs[i].x1, runs[i].y);
+        for (size_t w = runs[i].x0 / 64; w <= (runs[i].x1 - 1) / 64; w++) {
+            sfi_slice_row(props->need, runs[i].y)[w] |= within(w, runs[i].x0, runs[i].x1);
+        }
+    }
+    return prop_down(props, k - 1, rect, cost);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Memory
+// ---------------------------------------------------------------------------------------------
+
+static sf_slice make_slice(const sf_lattice *lattice, const sf_allocator *allocator)
+{
+    sf_slice slice = {NULL, lattice->nx, lattice->ny, sfi_row_words(lattice->nx)};
+    size_t count;
+    if (sfi_size_mul(slice.stride, slice.height, &count)) {
+        slice.words = sfi_alloc_array(allocator, count, sizeof *slice.words);
+    }
+    for (size_t i = 0; slice.words != NULL && i < count; i++) {
+        slice.words[i] = 0;
+    }
+    return slice;
+}
+
+sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_footings *prices,
+                           const sf_lattice *lattice, const sf_allocator *allocator, sf_grid *added)
+{
+    sfi_props made = {.rule = rule, .prices = prices, .allocator = *allocator, .added = added};
+    made.need = make_slice(lattice, allocator);
+    made.next = make_slice(lattice, allocator);
+    *props = made;
+    if (made.need.words == NULL || made.next.words == NULL) {
+        sfi_props_destroy(props);
+        return SF_ERR_MEMORY;
+    }
+    return SF_OK;
+}
+
+void sfi_props_destroy(sfi_props *props)
+{
+    const sf_allocator *a = &props->allocator;
+    sfi_free_array(a, props->need.words, props->need.stride * props->need.height, sizeof(uint64_t));
+    sfi_free_array(a, props->next.words, props->next.stride * props->next.height, sizeof(uint64_t));
+    sfi_free_array(a, props->places, props->capacity, sizeof *props->places);
+    props->need.words = props->next.words = NULL;
+    props->places = NULL;
+    props->capacity = 0;
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Props: what to add below a region so that all of it is carried.
+
+#ifndef SF_SUPPORT_PROP_H
+#define SF_SUPPORT_PROP_H
+
+#include "support/check/footing.h"
+
+// One place that may be added, while a layer is covered.
+typedef struct sfi_prop_place {
+    uint32_t x, y;
+    uint32_t price, covers; // voxels above that it carries, when they were last counted
+    uint32_t away;          // from the middle of the region
+} sfi_prop_place;
+
+// What propping works with. The slices have no voxel between calls, but after a call that failed.
+typedef struct sfi_props {
+    const sf_rule *rule;
+    const sfi_footings *prices;
+    sf_allocator allocator;
+    sf_slice need, next; // what is to be carried, in this layer and in the one below
+    sfi_prop_place *places;
+    size_t capacity, count;
+    sf_grid *added; // where what is added is drawn, or NULL
+} sfi_props;
+
+// Memory for the slices; SF_ERR_MEMORY. Destroying what is all zero does nothing.
+sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_footings *prices,
+                           const sf_lattice *lattice, const sf_allocator *allocator,
+                           sf_grid *added);
+void sfi_props_destroy(sfi_props *props);
+
+// Number of voxels that carry a region of layer k, given as runs, none of which anything carries;
+// SF_COST_NONE where there are none. SF_ERR_MEMORY.
+sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t count, uint64_t *cost);
+
+#endif

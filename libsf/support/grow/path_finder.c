@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// Path finder: the closest supporting path of one voxel by a search of its downward cone.
+//
+// Let W_t be what t steps down can reach (cone.c), clipped to the grid, and t* the least t such
+// that W_t meets matter in its layer. The layers of the cone above are empty, so nothing is in the
+// way of any chain to that matter: t* - 1 voxels are filled, and no path does with less, since a
+// path of fewer voxels would land higher. Where the whole cone is empty every path goes to the bed,
+// through as many voxels, and the best one ends where the matter of the bed slice is closest.
+//
+// So no map of the grid is needed: rows of the windows are tested a word at a time, layer by layer,
+// and the first layer that answers ends the search. A test costs no memory and looks at the grid as
+// it is, so nothing gets out of date.
+//
+// Two things can spoil this: voxels on the way that must not be filled, and exempt voxels, on which
+// a path may end in the air. The search goes on as if there were none: if the path that it finds is
+// allowed, it is one of the best (more freedom could not make it longer), else, and under slack,
+// where a window does not tell who reaches what, the slower search of descent.c answers.
+//
+// Source: the cost and the paths are T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free
+// Shapes for Fabrication", 2016; the search of the cone is the library's own.
+
+#include "base/bits.h"
+#include "base/memory.h"
+#include "base/status.h"
+#include "support/check/row.h"
+#include "support/grow/cone.h"
+#include "support/grow/search.h"
+
+struct sf_path_finder {
+    sfi_site site;
+    sfi_cone cone;
+    sfi_bed bed;
+    sf_voxel *chain; // a place for each layer
+};
+
+// ---------------------------------------------------------------------------------------------
+// Bed
+// ---------------------------------------------------------------------------------------------
+
+void sfi_bed_destroy(sfi_bed *bed, const sfi_site *site)
+{
+    size_t area = (size_t)site->lattice.nx * site->lattice.ny;
+    sfi_free_array(&site->allocator, bed->square, area, sizeof *bed->square);
+    sfi_free_array(&site->allocator, bed->scratch, site->lattice.nx, 3 * sizeof *bed->scratch);
+    sf_grid_destroy(bed->seen);
+    bed->square = bed->scratch = NULL;
+    bed->seen = NULL;
+}
+
+static sf_status create_bed(sfi_bed *bed, const sfi_site *site)
+{
+    sf_lattice one = site->lattice;
+    one.nz = 1;
+    one.heights_mm = NULL;
+    size_t area = (size_t)one.nx * one.ny; // fits: the grid has that many bits, twice and more
+    bed->square = sfi_alloc_array(&site->allocator, area, sizeof *bed->square);
+    bed->scratch = sfi_alloc_array(&site->allocator, one.nx, 3 * sizeof *bed->scratch);
+    sf_status status = bed->square != NULL && bed->scratch != NULL
+                           ? sf_grid_create(&one, &site->allocator, &bed->seen)
+                           : SF_ERR_MEMORY;
+    if (status != SF_OK) {
+        sfi_bed_destroy(bed, site);
+    }
+    return status;
+}
+
+sf_status sfi_bed_update(sfi_bed *bed, const sfi_site *site)
+{
+    sf_slice now = sf_grid_slice(site->roots, site->bed);
+    if (bed->square == NULL) {
+        SF_TRY(create_bed(bed, site));
+    } else if (sf_slice_equal(sf_grid_slice(bed->seen, 0), now)) {
+        return SF_OK;
+    }
+    SF_TRY(sf_slice_copy(sf_grid_slice(bed->seen, 0), now));
+    sfi_slice_distance(now, bed->square, bed->scratch);
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Windows on a slice
+// ---------------------------------------------------------------------------------------------
+
+// Whether any voxel of a rectangle that is not empty is solid.
+static int any_in(sf_slice slice, sf_rect r)
+{
+    size_t first = r.x0 / 64, last = (r.x1 - 1) / 64;
+    return sfi_kernels_get()->any_in_rows(sfi_slice_row(slice, r.y0) + first, slice.stride,
+                                          r.y1 - r.y0, last - first + 1,
+                                          ~UINT64_C(0) << (r.x0 % 64), sfi_tail_mask(r.x1));
+}
+
+// The part of row y within a window around `from`.
+static sf_rect row_part(const sfi_window *window, sf_voxel from, uint32_t width, uint32_t y)
+{
+    uint32_t half = sfi_window_half_width(window, y > from.y ? y - from.y : from.y - y);
+    sf_rect part = {from.x > half ? from.x - half : 0, y,
+                    half < width - from.x ? from.x + half + 1 : width, y + 1};
+    return part;
+}
+
+// Rows of a window, within the slice.
+static void row_range(const sfi_window *window, sf_voxel from, uint32_t height, uint32_t *y0,
+                      uint32_t *y1)
+{
+    *y0 = from.y > window->reach_y ? from.y - window->reach_y : 0;
+    *y1 = window->reach_y < height - from.y ? from.y + window->reach_y + 1 : height;
+}
+
+// Most windows are empty, and so is the rectangle around them, which is tested first and at once.
+static int any_in_window(sf_slice slice, const sfi_window *window, sf_voxel from)
+{
+    uint32_t y0, y1;
+    row_range(window, from, slice.height, &y0, &y1);
+    sf_rect around = row_part(window, from, slice.width, from.y);
+    around.y0 = y0;
+    around.y1 = y1;
+    if (!any_in(slice, around)) {
+        return 0;
+    }
+    for (uint32_t y = y0; y < y1; y++) {
+        if (any_in(slice, row_part(window, from, slice.width, y))) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// The last solid voxel of x0 <= x < x1, or x1.
+static uint32_t find_last(const uint64_t *row, uint32_t x0, uint32_t x1)
+{
+    for (uint32_t end = x1; end > x0;) {
+        uint32_t i = (end - 1) / 64;
+        uint64_t w = row[i] & sfi_tail_mask(end);
+        w = i == x0 / 64 ? w & ~UINT64_C(0) << (x0 % 64) : w;
+        if (w != 0) {
+            return i * 64 + sfi_highest_bit(w);
+        }
+        end = i * 64;
+    }
+    return x1;
+}
+
+// The best solid voxel within a window.
+static sfi_spot choose_matter(sf_slice slice, const sfi_window *window, sf_voxel from)
+{
+    sfi_spot spot = {0, 0, 0, 0, 0};
+    uint32_t y0, y1;
+    row_range(window, from, slice.height, &y0, &y1);
+    for (uint32_t y = y0; y < y1; y++) {
+        const uint64_t *row = sfi_slice_row(slice, y);
+        sf_rect part = row_part(window, from, slice.width, y);
+        uint32_t right = sfi_row_find(row, part.x1, from.x, 0);
+        uint32_t left = find_last(row, part.x0, from.x);
+        if (left < from.x) {
+            sfi_spot_offer(&spot, 0, from, left, y);
+        }
+        if (right < part.x1) {
+            sfi_spot_offer(&spot, 0, from, right, y);
+        }
+    }
+    return spot;
+}
+
+static uint32_t least_of(const uint32_t *values, uint32_t count)
+{
+    uint32_t least = UINT32_MAX;
+    for (uint32_t i = 0; i < count; i++) {
+        least = values[i] < least ? values[i] : least;
+    }
+    return least;
+}
+
+// Squared distances of a part of a row of the bed.
+static const uint32_t *row_of(const sfi_bed *bed, sf_slice slice, sf_rect part)
+{
+    return bed->square + (size_t)part.y0 * slice.width + part.x0;
+}
+
+// The voxel of the bed within a window that is closest to the bed's matter.
+static sfi_spot choose_on_bed(const sfi_bed *bed, sf_slice slice, const sfi_window *window,
+                              sf_voxel from)
+{
+    sfi_spot spot = {0, 0, 0, 0, 0};
+    uint32_t y0, y1, least = UINT32_MAX;
+    row_range(window, from, slice.height, &y0, &y1);
+    for (uint32_t y = y0; y < y1; y++) {
+        sf_rect part = row_part(window, from, slice.width, y);
+        uint32_t here = least_of(row_of(bed, slice, part), part.x1 - part.x0);
+        least = here < least ? here : least;
+    }
+    for (uint32_t y = y0; y < y1; y++) {
+        sf_rect part = row_part(window, from, slice.width, y);
+        const uint32_t *square = row_of(bed, slice, part);
+        uint32_t count = part.x1 - part.x0;
+        // Most rows hold no such voxel, and a minimum is found faster than its place.
+        if (least_of(square, count) > least) {
+            continue;
+        }
+        for (uint32_t i = 0; i < count; i++) {
+            if (square[i] == least) {
+                sfi_spot_offer(&spot, least, from, part.x0 + i, y);
+            }
+        }
+    }
+    return spot;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Search
+// ---------------------------------------------------------------------------------------------
+
+// Whether all voxels of a chain may be filled, or are.
+static int is_chain_allowed(const sfi_site *site, const sf_voxel *chain, size_t count)
+{
+    int is_masked = site->terms.forbid != NULL || site->terms.act != NULL;
+    for (size_t i = 0; is_masked && i < count; i++) {
+        if (!sfi_site_is_passable(site, chain[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// The path that ends in a window, on matter or on the bed; *is_allowed says whether the masks let
+// it be.
+static sf_status land(sf_path_finder *f, const sfi_window *window, sf_voxel from, int on_matter,
+                      sf_path *found, int *is_allowed)
+{
+    uint32_t z = from.z - window->depth;
+    sf_slice slice = sf_grid_slice(f->site.roots, z);
+    sfi_spot spot;
+    if (on_matter) {
+        spot = choose_matter(slice, window, from);
+    } else {
+        SF_TRY(sfi_bed_update(&f->bed, &f->site));
+        spot = choose_on_bed(&f->bed, slice, window, from);
+    }
+    sf_voxel to = {spot.x, spot.y, z};
+    size_t count = window->depth - (on_matter ? 1 : 0);
+    sfi_cone_chain(window, from, to, f->chain);
+    if (!on_matter) {
+        f->chain[count - 1] = to;
+    }
+    *is_allowed = is_chain_allowed(&f->site, f->chain, count);
+    *found = sfi_path_make(count, on_matter ? SF_PATH_END_MATTER : SF_PATH_END_BED, to,
+                           (uint32_t)spot.first);
+    return SF_OK;
+}
+
+// *is_answer = 0 where the search cannot tell.
+static sf_status search_cone(sf_path_finder *f, sf_voxel from, sf_path *found, int *is_answer)
+{
+    const sfi_site *site = &f->site;
+    sfi_cone_begin(&f->cone, from.z);
+    for (uint32_t z = from.z; z-- > site->bed;) {
+        sfi_window window;
+        SF_TRY(sfi_cone_deepen(&f->cone, &window));
+        int is_hit = any_in_window(sf_grid_slice(site->roots, z), &window, from);
+        sf_slice exempt = sfi_mask_slice(site->terms.exempt, z);
+        if (!is_hit && exempt.words != NULL && any_in_window(exempt, &window, from)) {
+            break;
+        }
+        if (is_hit || z == site->bed) {
+            return land(f, &window, from, is_hit, found, is_answer);
+        }
+    }
+    *is_answer = 0;
+    return SF_OK;
+}
+
+static sf_status search(sf_path_finder *f, sf_voxel from, sf_path *found)
+{
+    if (from.z < f->site.bed) {
+        return SF_ERR_INFEASIBLE;
+    }
+    if (sfi_path_is_trivial(&f->site, from, found)) {
+        return SF_OK;
+    }
+    int is_answer = 0;
+    if (f->site.plain.kind != SF_RULE_SLACK) {
+        SF_TRY(search_cone(f, from, found, &is_answer));
+    }
+    return is_answer ? SF_OK : sfi_descend(&f->site, &f->bed, from, f->chain, found);
+}
+
+sf_status sf_path_finder_find(sf_path_finder *finder, sf_voxel from, sf_voxel *path,
+                              size_t capacity, sf_path *found)
+{
+    if (finder == NULL || found == NULL || (path == NULL && capacity > 0) ||
+        from.x >= finder->site.lattice.nx || from.y >= finder->site.lattice.ny ||
+        from.z >= finder->site.lattice.nz) {
+        return SF_ERR_ARGUMENT;
+    }
+    sf_path answer;
+    SF_TRY(search(finder, from, &answer));
+    *found = answer;
+    if (answer.count > capacity) {
+        return SF_ERR_CAPACITY;
+    }
+    for (size_t i = 0; i < answer.count; i++) {
+        path[i] = finder->chain[i];
+    }
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Life
+// ---------------------------------------------------------------------------------------------
+
+void sf_path_finder_destroy(sf_path_finder *finder)
+{
+    if (finder == NULL) {
+        return;
+    }
+    sf_allocator allocator = finder->site.allocator;
+    sfi_bed_destroy(&finder->bed, &finder->site);
+    sfi_cone_destroy(&finder->cone);
+    sfi_free_array(&allocator, finder->chain, finder->site.lattice.nz, sizeof *finder->chain);
+    sfi_site_close(&finder->site);
+    sfi_free_array(&allocator, finder, 1, sizeof *finder);
+}
+
+sf_status sf_path_finder_create(const sf_grid *grid, const sf_terms *terms, sf_landing landing,
+                                const sf_allocator *allocator, sf_task *task,
+                                sf_path_finder **finder)
+{
+    sf_path_finder made = {0};
+    sfi_progress progress = sfi_progress_begin(task);
+    if (finder == NULL || grid == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    sfi_stage stage = {task, &progress, 0, sf_grid_lattice(grid).nz};
+    SF_TRY(sfi_site_open(&made.site, grid, terms, landing, allocator, &stage));
+    const sf_lattice *lattice = &made.site.lattice;
+    made.cone = sfi_cone_create(&made.site.plain, lattice->nx, lattice->ny, allocator);
+    made.chain = sfi_alloc_array(&made.site.allocator, lattice->nz, sizeof *made.chain);
+    sf_path_finder *placed = sfi_alloc_array(&made.site.allocator, 1, sizeof *placed);
+    if (made.chain == NULL || placed == NULL) {
+        sfi_free_array(&made.site.allocator, placed, 1, sizeof *placed);
+        sfi_free_array(&made.site.allocator, made.chain, lattice->nz, sizeof *made.chain);
+        sfi_site_close(&made.site);
+        return SF_ERR_MEMORY;
+    }
+    *placed = made;
+    *finder = placed;
+    return SF_OK;
+}
+
+sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_task *task)
+{
+    if (finder == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    sfi_progress progress = sfi_progress_begin(task);
+    sfi_stage stage = {task, &progress, 0, finder->site.lattice.nz};
+    return sfi_site_refresh(&finder->site, &stage);
+}
