@@ -167,11 +167,11 @@ static int verify(const char *text, size_t size) {
                     "tangent", &tangent, "bridge_mm", &span, &anchor, "bed_layer", &rests),
         "a field is of another kind");
     json_object_del(said, "angle_deg"), json_object_set(said, "tangent", GET(asked, "tangent"));
+    if (json_number_value(GET(said, "phase_layer")) == 0) json_object_del(said, "phase_layer");
     NOT(json_is_object(said) && !json_equal(said, asked), "the stack names another rule");
     while (rule >= 0 && (strcmp(name, words[rule]) || (rule == 1 && *pitch != pitch[1]))) rule--;
     while (o > 3 && strcmp(act, words[o])) o--;
-    kind = *name, layers = json_array();
-    make_numbers(tangent, span, anchor);
+    kind = *name, layers = json_array(), make_numbers(tangent, span, anchor);
     NOT(rule < 0 || top > 255 || (rule && fabs(tan(angle) / tangent - 1) > 1e-15), "no such rule");
     for (long v = bed = nz * area; v-- > 0; is += codes[v] != 0) bed = codes[v] ? v : bed;
     bed = json_is_null(rests) ? bed / area : json_integer_value(rests);

@@ -136,6 +136,7 @@ static sf_status read_rule(const json_t *root, stack_document *document, sf_faul
     if (object == NULL || json_is_null(object)) {
         return SF_OK;
     }
+    uint32_t phase;
     const char *kind = json_string_value(json_object_get(object, "kind"));
     if (sf_rule_kind_from_name(kind, &info->rule) != SF_OK) {
         return document_fault(fault, SF_ERR_UNSUPPORTED, "rule is none that this version knows");
@@ -150,6 +151,12 @@ static sf_status read_rule(const json_t *root, stack_document *document, sf_faul
         return document_fault(
             fault, SF_ERR_FORMAT,
             "rule needs angle_rad from 5 to 85 degrees and a bed_layer of the stack");
+    }
+    // Where the steps of an octagon begin; absent, it is where they always began.
+    if (json_object_get(object, "phase_layer") != NULL &&
+        !get_count(object, "phase_layer", 0, &phase)) {
+        return document_fault(fault, SF_ERR_UNSUPPORTED,
+                              "the rule's phase_layer is not 0; a newer libsf wrote this stack");
     }
     SF_TRY(read_bridge(object, document, fault));
     info->has_rule = 1;

@@ -113,7 +113,7 @@ static void emit_rule(sfi_emitter *out, const sf_stack_info *info)
     } else {
         sfi_emit_whole(out, info->bed_layer);
     }
-    sfi_emit_text(out, "\n  },\n");
+    sfi_emit_text(out, ",\n    \"phase_layer\": 0\n  },\n");
 }
 
 static sf_status write_document(const sf_lattice *lattice, const sf_stack_info *info,

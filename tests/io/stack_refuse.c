@@ -70,6 +70,9 @@ static const struct {
     {"\"angle_rad\": ", "\"angle_rad\": 9", SF_ERR_FORMAT},
     {"\"bed_layer\": 1", "\"bed_layer\": 3", SF_ERR_FORMAT},
     {"\"bed_layer\": 1", "\"bed\": 1", SF_ERR_FORMAT},
+    {"\"phase_layer\": 0", "\"phase_layer\": 1", SF_ERR_UNSUPPORTED},
+    {",\n    \"phase_layer\": 0", "", SF_OK}, // as stacks were written before
+    {"\"phase_layer\": 0", "\"phase_layer\": null", SF_ERR_UNSUPPORTED},
     {"layer_%05u", "../../%05u", SF_ERR_UNSUPPORTED},
     {"layer_%05u", "%n%s%s", SF_ERR_UNSUPPORTED},
 };

@@ -166,15 +166,17 @@ SF_API int sf_stack_has_png(void);
  *      "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
  *                  "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
  *      "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
- *                       "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer"},
+ *                       "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer",
+ *                       "phase_layer": 0},
  *      "layers": {"pattern": "layer_%05u.png", "count": nz},
  *      "solid": "white", "row_order": "top_is_max_y"}
  *
  * Its numbers read back as the same doubles. angle_deg is for people: the reader takes angle_rad;
  * box3 has neither. bridge_mm is there only where the rule has bridges, and then the version is 2.
- * bed_layer is null for SF_BED_AUTO. A folder without stack.json is no stack, so
- * a call that fails leaves none in a folder that had none; over sf_directory_write() it leaves
- * nothing at all.
+ * bed_layer is null for SF_BED_AUTO. phase_layer is the layer that the rule's phase counts from (an
+ * octagon's steps differ from layer to layer); so far that is always 0, so a reader takes nothing
+ * else, and 0 where it is absent. A folder without stack.json is no stack, so a call that fails
+ * leaves none in a folder that had none; over sf_directory_write() it leaves nothing at all.
  *
  * @param grid    the shape
  * @param info    the rule it was made under, or NULL
