@@ -156,14 +156,21 @@ SF_API SF_CHECKED sf_status sf_mesh_bounds(sf_mesh_view mesh, double minimum_mm[
 // Topology and mass
 // ---------------------------------------------------------------------------------------------
 
-/** How the triangles of a mesh hang together, after vertices of equal position are merged. */
+/**
+ * How the triangles of a mesh hang together, after vertices of equal position are merged.
+ *
+ * Where two solids touch along an edge, four triangles meet at it. Such an edge is nonmanifold, but
+ * no hole: the mesh is closed. It joins all four: solids that touch so are one shell, and solids
+ * that touch only in a point, or run through each other, are two.
+ */
 typedef struct sf_topology {
     size_t vertex_count;         /**< distinct positions used by triangles */
     size_t boundary_edges;       /**< edges with one triangle */
     size_t nonmanifold_edges;    /**< edges with more than two triangles */
     size_t misoriented_edges;    /**< edges with two triangles that run it the same way */
     size_t degenerate_triangles; /**< triangles with two equal corners */
-    size_t shells;               /**< sets of triangles connected over edges */
+    size_t shells;               /**< sets of triangles connected over edges, of any number of
+                                    triangles each */
     size_t flipped_shells;       /**< closed, consistently oriented shells with negative volume */
     int closed;                  /**< no boundary edges, and an even number of triangles at each */
     int oriented;                /**< every edge is run as often one way as the other */

@@ -121,6 +121,8 @@ static void inverted_and_touching_boxes_are_told_apart(void)
     shape_box(&s, edge_low, edge_high, 0); // one edge in common
     t = analyze();
     CHECK_EQ(t.nonmanifold_edges, 1);
+    CHECK_EQ(t.shells, 1);
+    CHECK_EQ(t.boundary_edges, 0);
     CHECK(t.closed && t.oriented);
     start();
     shape_box(&s, zero, three, 0);
