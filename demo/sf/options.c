@@ -125,7 +125,8 @@ static int parse_pixels(const char *text, cli_options *made)
 {
     double numbers[2];
     if (parse_numbers(text, numbers, 2, 2) != 2 || numbers[0] < 64 || numbers[0] > 16384 ||
-        numbers[1] < 64 || numbers[1] > 16384) {
+        numbers[1] < 64 || numbers[1] > 16384 || numbers[0] != floor(numbers[0]) ||
+        numbers[1] != floor(numbers[1])) {
         return 0;
     }
     made->pixels[0] = (uint32_t)numbers[0];

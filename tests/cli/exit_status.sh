@@ -11,6 +11,7 @@ says_one_line() {
 for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "check x --angle 4.9" \
     "check x --pitch 0" "check x --pitch 1,2,3,4" "check x --pitch 1 --resolution 9" \
     "check x --resolution 0" "check x --resolution 2.5" "check x --up w" "check x --units ft" \
+    "render x --pixels 64.7,64" "render x --pixels 640,480.5" \
     "check x --rule cone" "check x --rule box3 --angle 30" "check x --scale -1" \
     "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
     "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \

@@ -127,6 +127,21 @@ run info box.obj --up +x --json
 same "$(value bounds_mm.high.2) $(value inertia_mm5.2)" "12 780000" "info turns a mesh upright"
 exits 2 info box --up +x
 
+# A table two micrometres high, over the origin: findings say where they lie, and no zero is negative.
+awk 'BEGIN {
+    split("-1 -1 0 1 1 1  -3 -3 1 3 3 2", c, " ")
+    for (b = 0; b < 2; b++)
+        for (i = 0; i < 8; i++)
+            print "v", c[6*b + 1 + i%2*3]/1000, c[6*b + 2 + int(i/2)%2*3]/1000, c[6*b + 3 + int(i/4)*3]/1000
+    for (b = 0; b < 16; b += 8)
+        printf "f %d %d %d %d\nf %d %d %d %d\nf %d %d %d %d\nf %d %d %d %d\nf %d %d %d %d\nf %d %d %d %d\n",
+            b+1,b+3,b+4,b+2, b+5,b+6,b+8,b+7, b+1,b+2,b+6,b+5, b+3,b+7,b+8,b+4, b+1,b+5,b+7,b+3, b+2,b+4,b+8,b+6
+}' >table.obj
+run check table.obj --resolution 12
+grep -q 'overhang from z =  *0.0010* mm, x -0.0030* to 0.0030*, y -0.0030* to 0.0030*:' stdout &&
+    ! grep -Eq -- '-0\.0*( |:|,)' stdout
+ok $? "findings are told in as many digits as the voxels need: $(grep '^  overhang' stdout)"
+
 run check nothing.stl --json
 same "$(value error.exit)" 3 "a failure is a JSON object too"
 finish
