@@ -52,9 +52,12 @@ static inline sf_rect sfi_rect_align(sf_rect r, sf_slice slice)
     return r;
 }
 
-// The part of a slice in a rectangle that starts with a word.
+// The part of a slice in a rectangle that starts with a word; of a slice without words, none.
 static inline sf_slice sfi_slice_window(sf_slice slice, sf_rect r)
 {
+    if (slice.words == NULL) {
+        return slice;
+    }
     sf_slice part = {slice.words + (size_t)r.y0 * slice.stride + r.x0 / 64, r.x1 - r.x0,
                      r.y1 - r.y0, slice.stride};
     return part;

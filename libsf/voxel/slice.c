@@ -34,6 +34,17 @@ int sfi_slice_overlap(sf_slice a, sf_slice b)
     return a_first < b_end && b_first < a_end;
 }
 
+void sfi_slice_clear(sf_slice slice)
+{
+    size_t words = sfi_row_words(slice.width);
+    for (uint32_t y = 0; y < slice.height; y++) {
+        uint64_t *row = sfi_slice_row(slice, y);
+        for (size_t i = 0; i < words; i++) {
+            row[i] = 0;
+        }
+    }
+}
+
 int sfi_slice_any(sf_slice slice)
 {
     size_t last = sfi_row_words(slice.width) - 1;

@@ -165,13 +165,6 @@ sf_status sf_checker_size(const sf_check_options *options, size_t *size)
     return SF_OK;
 }
 
-static void clear(sf_slice slice)
-{
-    for (size_t i = 0; i < slice.stride * slice.height; i++) {
-        slice.words[i] = 0;
-    }
-}
-
 sf_status sf_checker_place(const sf_check_options *options, void *memory, size_t memory_size,
                            sf_checker **checker)
 {
@@ -232,7 +225,7 @@ static sf_status paint(const source *s, sf_slice dst)
         paint_grey(s, dst);
         return SF_OK;
     }
-    clear(dst);
+    sfi_slice_clear(dst);
     for (size_t i = 0; i < s->run_count; i++) {
         sf_rect rect = {s->runs[i].x0, s->runs[i].y, s->runs[i].x1, s->runs[i].y + 1};
         SF_TRY(sf_slice_fill(dst, rect, 1));
@@ -261,7 +254,7 @@ static sf_status carry(sf_checker *c, uint32_t k, uint32_t bed, sf_slice solid)
 {
     if (k < bed) {
         sf_slice nothing = c->kept.alive;
-        clear(nothing);
+        sfi_slice_clear(nothing);
         SF_TRY(sfi_carry_bed(&c->carrier, nothing, c->kept));
     } else if (c->is_apart) {
         SF_TRY(
@@ -273,8 +266,8 @@ static sf_status carry(sf_checker *c, uint32_t k, uint32_t bed, sf_slice solid)
 // The first layer, where it does not rest on the bed: nothing carries it.
 static sf_status hang(sf_checker *c)
 {
-    clear(c->carried.alive);
-    clear(c->kept.alive);
+    sfi_slice_clear(c->carried.alive);
+    sfi_slice_clear(c->kept.alive);
     SF_TRY(sfi_carry_bed(&c->carrier, c->carried.alive, c->carried));
     return sfi_carry_bed(&c->carrier, c->kept.alive, c->kept);
 }

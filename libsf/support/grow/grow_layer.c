@@ -242,19 +242,13 @@ static sf_status close_gaps(sfi_growth *g, uint32_t k, int *is_any)
 // The layer
 // ---------------------------------------------------------------------------------------------
 
-static sf_status clear(sf_slice slice)
-{
-    sf_rect all = {0, 0, slice.width, slice.height};
-    return sf_slice_fill(slice, all, 0);
-}
-
 static sf_status begin_layer(sfi_growth *g, uint32_t k)
 {
     sf_element e;
     SF_TRY(sfi_grow_cover_set_step(&g->cover, &g->site.plain, k - 1));
     SF_TRY(sf_rule_element(&g->site.plain, k - 1, &e));
-    SF_TRY(clear(sf_grid_slice(g->bits, SFI_GROW_SPANNED)));
-    SF_TRY(clear(sf_grid_slice(g->bits, SFI_GROW_ANCHOR)));
+    sfi_slice_clear(sf_grid_slice(g->bits, SFI_GROW_SPANNED));
+    sfi_slice_clear(sf_grid_slice(g->bits, SFI_GROW_ANCHOR));
     if (!g->cover.has_slack) {
         SF_TRY(sf_slice_dilate(sf_grid_slice(g->bits, SFI_GROW_CARRIED),
                                sf_grid_slice(g->site.grid, k - 1), &e, SF_BORDER_EMPTY));
@@ -287,13 +281,14 @@ static sf_status apply(sfi_growth *g, uint32_t k)
             }
         }
     }
-    return clear(met);
+    sfi_slice_clear(met);
+    return SF_OK;
 }
 
 sf_status sfi_growth_begin(sfi_growth *g)
 {
     for (uint32_t i = 0; i < 2; i++) {
-        SF_TRY(clear(raised_slice(g, i)));
+        sfi_slice_clear(raised_slice(g, i));
         for (size_t v = 0; g->cover.has_slack && v < g->area; v++) {
             g->demand[i][v] = 0;
         }

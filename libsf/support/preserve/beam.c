@@ -20,6 +20,7 @@
 
 #include "base/bits.h"
 #include "base/status.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 // A direction of bridging, its limits, and the gap found along it.
@@ -179,20 +180,6 @@ void sfi_beam_close(const sfi_beam *b, uint8_t *need)
 // Thinning
 // ---------------------------------------------------------------------------------------------
 
-static sf_slice window(sf_slice s, sf_rect r)
-{
-    sf_slice part = {sfi_slice_row(s, r.y0) + r.x0 / 64, r.x1 - r.x0, r.y1 - r.y0, s.stride};
-    return part;
-}
-
-// How far a voxel's being carried matters, along an axis.
-static uint32_t margin_of(const sf_bridge *r)
-{
-    uint32_t x = (uint32_t)r->span_x + r->anchor_x, y = (uint32_t)r->span_y + r->anchor_y;
-    uint32_t d = (uint32_t)r->span_diagonal + r->anchor_diagonal, most = x > y ? x : y;
-    return (d > most ? d : most) + 1;
-}
-
 static sf_rect around(sf_slice s, uint32_t x, uint32_t y, uint32_t by)
 {
     uint32_t x0 = x > by ? x - by : 0, x1 = s.width - x > by ? x + by + 1 : s.width;
@@ -206,14 +193,14 @@ static sf_rect around(sf_slice s, uint32_t x, uint32_t y, uint32_t by)
 // half depends on no more. What hangs farther out is cut off, not wrong.
 static int holds_near(const sfi_beam *b, uint32_t x, uint32_t y)
 {
-    uint32_t by = margin_of(b->bridge);
+    uint32_t by = sfi_bridge_margin(b->bridge);
     sf_rect outer = around(b->want, x, y, 2 * by);
     sfi_beam part = *b;
-    part.want = window(b->want, outer);
-    part.anchored = window(b->anchored, outer);
-    part.gaps = window(b->gaps, outer);
-    part.added = window(b->added, outer);
-    (void)find_hanging(&part, window(b->ends, outer), part.added);
+    part.want = sfi_slice_window(b->want, outer);
+    part.anchored = sfi_slice_window(b->anchored, outer);
+    part.gaps = sfi_slice_window(b->gaps, outer);
+    part.added = sfi_slice_window(b->added, outer);
+    (void)find_hanging(&part, sfi_slice_window(b->ends, outer), part.added);
     uint32_t y0 = y > by ? y - by : 0, y1 = b->want.height - y > by ? y + by + 1 : b->want.height;
     uint32_t x0 = x > by ? x - by : 0, x1 = b->want.width - x > by ? x + by + 1 : b->want.width;
     for (uint32_t v = y0; v < y1; v++) {

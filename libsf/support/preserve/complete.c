@@ -106,12 +106,6 @@ static void destroy(sfi_descent *d)
 // Parts of a step
 // ---------------------------------------------------------------------------------------------
 
-static void clear(sf_slice s)
-{
-    sf_rect all = {0, 0, s.width, s.height};
-    (void)!sf_slice_fill(s, all, 0);
-}
-
 static int is_within(sf_slice a, sf_slice b)
 {
     for (uint32_t y = 0; y < a.height; y++) {
@@ -284,7 +278,7 @@ sf_status sfi_complete_into(sf_grid *to, const sfi_completion *c, const sf_alloc
     sf_status status = create(&d, c, allocator, task);
     if (status == SF_OK) {
         for (int i = 0; i < SFI_DESCENT_COUNT; i++) {
-            clear(d.s[i]);
+            sfi_slice_clear(d.s[i]);
         }
         status = sf_slice_copy(d.s[SFI_DESCENT_WANT], sf_grid_slice(c->needed, nz - 1));
     }

@@ -28,6 +28,7 @@
 #include "support/preserve/removal.h"
 #include "support/rule/carry.h"
 #include "support/rule/terms.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 enum { SLICE_TAKEN, SLICE_FIXED, SLICE_ABOVE, SLICE_REST, SLICE_FRESH, SLICE_SPREAD, SLICE_COUNT };
@@ -50,16 +51,6 @@ static sf_slice kept_slice(const sweep *w, uint32_t k)
     sf_slice slice = w->s[0];
     slice.words = w->memory + (SLICE_COUNT + k - w->removal->box.z0) * w->words;
     return slice;
-}
-
-static sf_slice window(sf_slice slice, sf_rect r)
-{
-    if (slice.words == NULL) {
-        return slice;
-    }
-    sf_slice part = {sfi_slice_row(slice, r.y0) + r.x0 / 64, r.x1 - r.x0, r.y1 - r.y0,
-                     slice.stride};
-    return part;
 }
 
 // The box's rectangle, grown by twice the reach of the steps above its layers.
@@ -114,7 +105,7 @@ static sf_status find_rest(const sweep *w, uint32_t k)
     SF_TRY(sf_slice_and_dilate(rest, w->s[SLICE_ABOVE], w->s[SLICE_TAKEN], &e));
     SF_TRY(sf_slice_dilate(spread, w->s[SLICE_FIXED], &e, SF_BORDER_EMPTY));
     SF_TRY(sf_slice_subtract(rest, rest, spread));
-    sf_slice exempt = window(sfi_mask_slice(w->removal->terms->exempt, k + 1), w->part);
+    sf_slice exempt = sfi_slice_window(sfi_mask_slice(w->removal->terms->exempt, k + 1), w->part);
     return exempt.words != NULL ? sf_slice_subtract(rest, rest, exempt) : SF_OK;
 }
 
@@ -141,7 +132,7 @@ static sf_status sweep_down(const sweep *w)
     sfi_progress progress = sfi_progress_begin(w->removal->task);
     if (b.z1 < w->lattice.nz) {
         SF_TRY(sf_slice_copy(w->s[SLICE_ABOVE],
-                             window(sf_grid_slice(w->removal->shape, b.z1), w->part)));
+                             sfi_slice_window(sf_grid_slice(w->removal->shape, b.z1), w->part)));
     }
     for (uint32_t k = b.z1; k-- > b.z0;) {
         if (sf_task_is_cancelled(w->removal->task)) {
@@ -158,7 +149,7 @@ static void commit(const sweep *w, sf_preserve_report *report)
 {
     sf_box b = w->removal->box;
     for (uint32_t k = b.z0; k < b.z1; k++) {
-        sf_slice out = window(sf_grid_slice(w->removal->grid, k), w->part);
+        sf_slice out = sfi_slice_window(sf_grid_slice(w->removal->grid, k), w->part);
         sf_slice taken = w->s[SLICE_TAKEN], kept = kept_slice(w, k);
         sfi_removal_split(w->removal, w->removal->grid, k, w->part, taken, w->s[SLICE_FIXED]);
         (void)!sf_slice_or(out, w->s[SLICE_FIXED], kept);

@@ -19,17 +19,6 @@
 #include "base/status.h"
 #include "voxel/slice.h"
 
-// Word i of a row whose bits are moved: bit x of the result is bit x + by of the row; 0 outside.
-static uint64_t moved_word(const uint64_t *row, size_t words, size_t i, int64_t by)
-{
-    int64_t bit = (int64_t)i * 64 + by;
-    int64_t word = bit >= 0 ? bit / 64 : -((63 - bit) / 64);
-    unsigned shift = (unsigned)(bit - word * 64);
-    uint64_t low = word >= 0 && word < (int64_t)words ? row[word] : 0;
-    uint64_t high = word + 1 >= 0 && word + 1 < (int64_t)words ? row[word + 1] : 0;
-    return shift == 0 ? low : (low >> shift) | (high << (64 - shift));
-}
-
 // The cover at work.
 typedef struct priority {
     const sf_element *element;
@@ -50,7 +39,7 @@ static int take(const priority *p, int32_t dx, int32_t dy)
         const uint64_t *carriers = sfi_slice_row(p->carriers, (uint32_t)uy);
         uint64_t *fresh = sfi_slice_row(p->fresh, (uint32_t)uy);
         for (size_t i = 0; i < words; i++) {
-            uint64_t taken = carriers[i] & moved_word(hanging, words, i, -dx);
+            uint64_t taken = carriers[i] & sfi_moved_word(hanging, words, i, -dx);
             fresh[i] |= taken;
             any |= taken;
         }

@@ -23,6 +23,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/carry.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 // What a voxel was.
@@ -174,37 +175,6 @@ static void put_back(sparing *s)
 // A trial
 // ---------------------------------------------------------------------------------------------
 
-static int is_empty(sf_rect r)
-{
-    return r.x0 >= r.x1 || r.y0 >= r.y1;
-}
-
-static sf_rect grow(const sparing *s, sf_rect r, uint32_t rx, uint32_t ry)
-{
-    sf_rect g = {r.x0 > rx ? r.x0 - rx : 0, r.y0 > ry ? r.y0 - ry : 0,
-                 s->lattice.nx - r.x1 > rx ? r.x1 + rx : s->lattice.nx,
-                 s->lattice.ny - r.y1 > ry ? r.y1 + ry : s->lattice.ny};
-    return g;
-}
-
-static sf_rect align(const sparing *s, sf_rect r)
-{
-    uint32_t end = (r.x1 + 63) / 64 * 64;
-    r.x0 -= r.x0 % 64;
-    r.x1 = end < s->lattice.nx ? end : s->lattice.nx;
-    return r;
-}
-
-static sf_slice window(sf_slice slice, sf_rect r)
-{
-    if (slice.words == NULL) {
-        return slice;
-    }
-    sf_slice part = {sfi_slice_row(slice, r.y0) + r.x0 / 64, r.x1 - r.x0, r.y1 - r.y0,
-                     slice.stride};
-    return part;
-}
-
 // The front of layer k in a window, on what stands below: right within it but for a margin.
 static sf_status compute(const sparing *s, uint32_t k, sf_rect part, sfi_front *front)
 {
@@ -213,20 +183,21 @@ static sf_status compute(const sparing *s, uint32_t k, sf_rect part, sfi_front *
     sfi_carrier carrier = sfi_carrier_place(rule, width, height, s->memory[0]);
     sfi_front below = sfi_front_place(rule, width, height, s->memory[1]);
     *front = sfi_front_place(rule, width, height, s->memory[2]);
-    SF_TRY(sf_slice_copy(below.alive, window(sf_grid_slice(s->grid, k - 1), part)));
+    SF_TRY(sf_slice_copy(below.alive, sfi_slice_window(sf_grid_slice(s->grid, k - 1), part)));
     for (uint32_t y = 0; s->codes != NULL && y < height; y++) {
         const uint8_t *from = codes_at(s, k - 1, part.y0 + y) + part.x0;
         uint8_t *to = below.slack + y * sfi_slack_stride(width);
         memcpy(to, from, width);
     }
-    return sfi_carry(&carrier, k, &below, window(sf_grid_slice(s->grid, k), part),
-                     window(sfi_mask_slice(s->terms->exempt, k), part), *front, SFI_NO_SLICE);
+    return sfi_carry(&carrier, k, &below, sfi_slice_window(sf_grid_slice(s->grid, k), part),
+                     sfi_slice_window(sfi_mask_slice(s->terms->exempt, k), part), *front,
+                     SFI_NO_SLICE);
 }
 
 static void widen(sf_rect *r, uint32_t x, uint32_t y)
 {
     sf_rect one = {x, y, x + 1, y + 1};
-    if (is_empty(*r)) {
+    if (sfi_rect_is_empty(*r)) {
         *r = one;
         return;
     }
@@ -278,15 +249,18 @@ static sf_status follow(sparing *s, uint32_t k, sf_rect dirty, int *lost)
         sf_element e;
         sfi_front front;
         SF_TRY(sf_rule_element(&s->terms->rule, j - 1, &e));
-        uint32_t rx = j > k ? e.half_width[0] : 0u, ry = j > k ? e.reach_y : 0u;
-        sf_rect r = grow(s, dirty, rx + s->margin, ry + s->margin), changed = {0, 0, 0, 0};
-        sf_rect part = align(s, grow(s, r, e.half_width[0] + s->margin, e.reach_y + s->margin));
+        sf_slice layer = sf_grid_slice(s->grid, j);
+        uint32_t rx = e.half_width[0] + s->margin, ry = e.reach_y + s->margin;
+        sf_rect r = j > k ? sfi_rect_grow(dirty, rx, ry, layer)
+                          : sfi_rect_grow(dirty, s->margin, s->margin, layer);
+        sf_rect part = sfi_rect_align(sfi_rect_grow(r, rx, ry, layer), layer);
+        sf_rect changed = {0, 0, 0, 0};
         SF_TRY(compute(s, j, part, &front));
         SF_TRY(commit(s, j, part, r, &front, &changed, lost));
         if (j == k) { // the voxel itself has changed
             widen(&changed, edited.x0, edited.y0);
         }
-        if (is_empty(changed)) {
+        if (sfi_rect_is_empty(changed)) {
             break;
         }
         dirty = changed;

@@ -31,17 +31,6 @@ typedef struct direction {
     uint32_t span, anchor;
 } direction;
 
-// Word i of a row whose bits are moved: bit x of the result is bit x + by of the row; 0 outside.
-static uint64_t moved_word(const uint64_t *row, size_t words, size_t i, int64_t by)
-{
-    int64_t bit = (int64_t)i * 64 + by;
-    int64_t word = bit >= 0 ? bit / 64 : -((63 - bit) / 64);
-    unsigned shift = (unsigned)(bit - word * 64);
-    uint64_t low = word >= 0 && word < (int64_t)words ? row[word] : 0;
-    uint64_t high = word + 1 >= 0 && word + 1 < (int64_t)words ? row[word + 1] : 0;
-    return shift == 0 ? low : (low >> shift) | (high << (64 - shift));
-}
-
 // slice(v) &= slice(v + by * d), in place: what v needs has not been changed yet.
 static void erode_by(sf_slice slice, const direction *d, uint32_t by)
 {
@@ -52,7 +41,7 @@ static void erode_by(sf_slice slice, const direction *d, uint32_t by)
         int inside = slice.height - y > rows;
         const uint64_t *from = inside ? sfi_slice_row(slice, y + rows) : row;
         for (size_t i = 0; i < words; i++) {
-            row[i] &= inside ? moved_word(from, words, i, (int64_t)d->dx * by) : 0;
+            row[i] &= inside ? sfi_moved_word(from, words, i, (int64_t)d->dx * by) : 0;
         }
     }
 }
@@ -66,7 +55,7 @@ static void dilate_by(sf_slice slice, const direction *d, uint32_t by)
         uint64_t *row = sfi_slice_row(slice, y);
         const uint64_t *from = sfi_slice_row(slice, y - rows);
         for (size_t i = words; i-- > 0;) {
-            row[i] |= moved_word(from, words, i, -(int64_t)d->dx * by);
+            row[i] |= sfi_moved_word(from, words, i, -(int64_t)d->dx * by);
         }
         row[words - 1] &= sfi_tail_mask(slice.width);
     }
@@ -125,7 +114,7 @@ static void bridge_along(const direction *d, sf_slice solid, sf_slice own, sf_sl
         const uint64_t *full = sfi_slice_row(solid, y), *held = sfi_slice_row(anchored, y);
         const uint64_t *before = sfi_slice_row(anchored, y - (uint32_t)d->dy);
         for (size_t i = 0; i < words; i++) {
-            uint64_t starts = full[i] & ~held[i] & moved_word(before, words, i, -d->dx);
+            uint64_t starts = full[i] & ~held[i] & sfi_moved_word(before, words, i, -d->dx);
             for (; starts != 0; starts &= starts - 1) {
                 walk(d, (int64_t)i * 64 + sfi_lowest_bit(starts), y, solid, anchored, gaps);
             }

@@ -28,19 +28,12 @@ static void seal(sf_slice slice)
     }
 }
 
-static sf_status clear(sf_slice slice)
-{
-    sf_rect all = {0, 0, slice.width, slice.height};
-    return sf_slice_fill(slice, all, 0);
-}
-
 // Layer k of the trim, in place, given the layer below; for rules that are elements.
 static sf_status trim_slice(sf_grid *grid, const sf_rule *rule, uint32_t bed, uint32_t k)
 {
     sf_slice slice = sf_grid_slice(grid, k);
     if (k < bed) {
-        SF_TRY(clear(slice));
-        seal(slice);
+        sfi_slice_clear(slice);
         return SF_OK;
     }
     if (k == bed) {
