@@ -10,21 +10,19 @@
 #include "output.h"
 #include "progress.h"
 
-static sf_status make(cli_job *job, const part *p, sf_operation operation, const sf_grid *exempt,
-                      sf_certificate **certificate, sf_fault *fault)
+static sf_status make(cli_job *job, const part *p, const change *done, sf_certificate **certificate,
+                      sf_fault *fault)
 {
-    sf_terms terms = sf_terms_default();
-    terms.rule = p->rule;
-    terms.bed_layer = p->bed_layer;
-    terms.exempt = exempt;
+    sf_terms terms = part_terms(p);
+    terms.exempt = done->accepted;
     sf_claim claim = sf_claim_default();
     claim.terms = &terms;
     claim.angle_rad = job->options.angle_rad;
     claim.bridge_span_mm = job->options.bridge_mm[0];
     claim.bridge_anchor_mm = job->options.bridge_mm[1];
-    claim.operation = operation;
-    claim.before = p->before;
-    return sf_certificate_make(p->grid, &claim, NULL, &job->task, certificate, fault);
+    claim.operation = done->operation;
+    claim.before = p->grid;
+    return sf_certificate_make(done->after, &claim, NULL, &job->task, certificate, fault);
 }
 
 static sf_status save(const sf_certificate *certificate, const char *path, sf_fault *fault)
@@ -42,7 +40,7 @@ static sf_status save(const sf_certificate *certificate, const char *path, sf_fa
     return status;
 }
 
-exit_status certify(cli_job *job, const part *p, sf_operation operation, const sf_grid *exempt)
+exit_status certify(cli_job *job, const part *p, const change *done)
 {
     const char *path = job->options.certificate, *output = job->options.output;
     sf_certificate *certificate = NULL;
@@ -51,7 +49,7 @@ exit_status certify(cli_job *job, const part *p, sf_operation operation, const s
         return EXIT_GOOD;
     }
     progress_phase("certifying");
-    sf_status status = make(job, p, operation, exempt, &certificate, &fault);
+    sf_status status = make(job, p, done, &certificate, &fault);
     if (status != SF_OK) {
         return job_fail_call(job, status, &fault, "the certificate", EXIT_PROPERTY);
     }

@@ -4,11 +4,10 @@
 #ifndef DEMO_SF_CERTIFY_H
 #define DEMO_SF_CERTIFY_H
 
-#include "part.h"
+#include "change.h"
 
-// Certify the part's grid as what `operation` made of the grid that part_make_rule() saw, under the
-// part's rule and but for the voxels of `exempt` (or NULL), and save that. Nothing is done where no
-// certificate was asked for.
-exit_status certify(cli_job *job, const part *p, sf_operation operation, const sf_grid *exempt);
+// Certify what a change made of the part's grid, under the part's rule and but for the matter that
+// was accepted, and save that. Nothing is done where no certificate was asked for.
+exit_status certify(cli_job *job, const part *p, const change *done);
 
 #endif

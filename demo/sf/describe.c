@@ -3,6 +3,8 @@
 
 #include "describe.h"
 
+#include "values.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -51,7 +53,7 @@ static void report_rule(report *r, const part *p, const sf_lattice *lattice,
     if (p->rule.kind == SF_RULE_BOX3) {
         report_null(r, "angle_deg");
     } else {
-        report_number(r, "angle_deg", options_angle_deg(asked));
+        report_number(r, "angle_deg", values_angle_deg(asked));
     }
     if (asked->bridge_mm[0] > 0) {
         report_numbers(r, "bridge_mm", asked->bridge_mm, 2);
@@ -73,7 +75,7 @@ static void say_part(report *r, const part *p, const sf_lattice *lattice, const 
     } else if (p->rule.kind == SF_RULE_BOX3) {
         snprintf(rule, sizeof rule, ", rule box3");
     } else {
-        snprintf(rule, sizeof rule, ", overhangs up to %g degrees (%s)", options_angle_deg(asked),
+        snprintf(rule, sizeof rule, ", overhangs up to %g degrees (%s)", values_angle_deg(asked),
                  sf_rule_kind_name(p->rule.kind));
     }
     report_say(r, "%s: %u x %u x %u voxels of %.4g x %.4g x %.4g mm%s",

@@ -31,6 +31,8 @@ typedef struct cli_job {
     struct timespec start;
     char message[640]; // why the run failed, or ""
     sf_fault fault;    // line and offset, where the library gave them
+    uint64_t culprits; // voxels that must stay and cannot, where that is why; and where they are
+    double culprit_low_mm[3], culprit_high_mm[3];
 } cli_job;
 
 // Leave a sentence and return `status`.

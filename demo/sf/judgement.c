@@ -34,11 +34,9 @@ sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
 static exit_status price(cli_job *job, const part *p, judgement *j)
 {
     sf_lattice lattice = sf_grid_lattice(p->grid);
-    sf_terms terms = sf_terms_default();
+    sf_terms terms = part_terms(p);
     double mib = 2.0 * lattice.nx * lattice.ny * lattice.nz / 1048576;
     size_t places = j->finding_count > 0 ? j->finding_count : 1;
-    terms.rule = p->rule;
-    terms.bed_layer = p->bed_layer;
     j->costs = malloc(places * sizeof *j->costs);
     j->order = malloc(2 * places * sizeof *j->order);
     if (j->costs == NULL || j->order == NULL) {

@@ -7,65 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define INPUT_OPTIONS                                                                              \
-    (OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |    \
-     OPTION_FILL | OPTION_MEMORY)
-#define RULE_OPTIONS (OPTION_ANGLE | OPTION_RULE | OPTION_BED | OPTION_BRIDGE)
-#define HOST_OPTIONS (OPTION_THREADS | OPTION_JSON | OPTION_QUIET)
-
-typedef exit_status (*verb_function)(cli_job *job);
-
-static const struct {
-    cli_verb verb;
-    verb_function run;
-} verbs[] = {
-    {{"run", "check a part, make it printable, write a folder", "FILE", 1,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH | OPTION_VIEW |
-          OPTION_PIXELS,
-      "  sf run\n  sf run part.stl --angle 50 -o printable\n",
-      "folder for the results (default out)"},
-     verb_run},
-    {{"info", "what a part is: size, volume, mass, holes, orientation", "FILE", 0,
-      HOST_OPTIONS | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE,
-      "  sf info part.stl\n  sf info part.obj --units in --up +y --json\n  sf info layers\n", NULL},
-     verb_info},
-    {{"check", "does it print without supports, and where not?", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS,
-      "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
-      "  sf check scene:garden --rule box3 --json\n",
-      NULL},
-     verb_check},
-    {{"trim", "take away what cannot print without supports", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH |
-          OPTION_CERTIFICATE,
-      "  sf trim part.stl -o printable.stl\n  sf trim part.stl --resolution 512 -o layers\n"
-      "  sf trim layers -o printable.ply\n"
-      "  sf trim part.stl -o layers --certificate layers.json\n",
-      "a mesh (.stl .obj .ply), or a folder for layers"},
-     verb_trim},
-    {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
-      "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},
-     verb_slice},
-    {{"orient", "which way up does it print best, and why?", "FILE", 0,
-      OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |
-          OPTION_ANGLE | OPTION_RULE | HOST_OPTIONS | OPTION_OUTPUT | OPTION_COUNT,
-      "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n",
-      "the mesh, turned the best way (.stl .obj .ply)"},
-     verb_orient},
-    {{"render", "a picture of the part, what cannot print in red", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_VIEW | OPTION_PIXELS,
-      "  sf render part.stl -o part.png\n  sf render part.stl --view below --pixels 800,600\n",
-      "the picture (default render.png)"},
-     verb_render},
-};
-enum { VERB_COUNT = sizeof verbs / sizeof verbs[0] };
-
 static void help(FILE *to)
 {
     fputs("sf: shapes that print without supports\n\nusage: sf VERB [options] FILE\n\n", to);
-    for (int i = 0; i < VERB_COUNT; i++) {
-        fprintf(to, "  %-8s %s\n", verbs[i].verb.name, verbs[i].verb.purpose);
+    for (int i = 0; i < verbs_count; i++) {
+        fprintf(to, "  %-9s %s\n", verbs_table[i].verb.name, verbs_table[i].verb.purpose);
     }
     fputs(
         "\n'sf VERB --help' says more, with examples; 'sf --version' says which version this is.\n",
@@ -100,6 +46,15 @@ static void print_failure_json(const cli_job *job, exit_status status)
     report_count(r, "line", job->fault.line);
     report_count(r, "offset", job->fault.offset);
     report_end(r);
+    if (job->culprits > 0) {
+        report_begin(r, "culprits");
+        report_count(r, "count", job->culprits);
+        report_begin(r, "box_mm");
+        report_numbers(r, "low", job->culprit_low_mm, 3);
+        report_numbers(r, "high", job->culprit_high_mm, 3);
+        report_end(r);
+        report_end(r);
+    }
     (void)!report_print_json(r, sink_of(stdout));
     report_destroy(r);
 }
@@ -135,9 +90,9 @@ static exit_status run_verb(int index, int argc, char **argv)
     memset(&job, 0, sizeof job);
     clock_gettime(CLOCK_MONOTONIC, &job.start);
     int parsed =
-        options_parse(&verbs[index].verb, argc, argv, &job.options, message, sizeof message);
+        options_parse(&verbs_table[index].verb, argc, argv, &job.options, message, sizeof message);
     if (parsed > 0) {
-        options_help(&verbs[index].verb, stdout);
+        options_help(&verbs_table[index].verb, stdout);
         return EXIT_GOOD;
     }
     if (parsed < 0) {
@@ -151,7 +106,7 @@ static exit_status run_verb(int index, int argc, char **argv)
     }
     job.task = sf_task_default();
     progress_attach(&job.task, job.options.quiet, job.options.threads);
-    exit_status status = verbs[index].run(&job);
+    exit_status status = verbs_table[index].run(&job);
     progress_end();
     status = print_outcome(&job, status);
     report_destroy(job.report);
@@ -169,8 +124,8 @@ int main(int argc, char **argv)
         help(argc > 1 ? stdout : stderr);
         return argc > 1 ? EXIT_GOOD : EXIT_USAGE;
     }
-    for (int i = 0; i < VERB_COUNT; i++) {
-        if (strcmp(verbs[i].verb.name, name) == 0) {
+    for (int i = 0; i < verbs_count; i++) {
+        if (strcmp(verbs_table[i].verb.name, name) == 0) {
             return (int)run_verb(i, argc - 1, argv + 1);
         }
     }

@@ -33,17 +33,24 @@ enum {
     OPTION_PIXELS = 1 << 17,
     OPTION_BRIDGE = 1 << 18,
     OPTION_CERTIFICATE = 1 << 19,
-    OPTION_COUNT = 1 << 20
+    OPTION_COUNT = 1 << 20,
+    OPTION_KEEP = 1 << 21,
+    OPTION_FORBID = 1 << 22,
+    OPTION_REMOVE = 1 << 23,
+    OPTION_MODE = 1 << 24,
+    OPTION_MIN_FEATURE = 1 << 25,
+    OPTION_STEEPEST = 1 << 26
 };
 
 typedef struct cli_options {
     uint32_t given; // OPTION_* that were on the command line
     const char *input;
     const char *output;
-    const char *certificate; // file to write, or NULL
-    double pitch_mm[3];      // x, y, layer
+    const char *certificate;            // file to write, or NULL
+    const char *keep, *forbid, *remove; // meshes of masks, or NULL
+    double pitch_mm[3];                 // x, y, layer
     uint32_t resolution;
-    double angle_rad; // of the command line or of a stack; options_angle_deg() shows it
+    double angle_rad; // of the command line or of a stack; values_angle_deg() shows it
     sf_rule_kind rule;
     double bridge_mm[2]; // span and anchor
     axis up;
@@ -59,7 +66,10 @@ typedef struct cli_options {
     double memory_mib;
     double azimuth_deg, elevation_deg; // where the camera stands
     uint32_t pixels[2];
-    uint32_t count; // how many answers
+    uint32_t count;        // how many answers
+    double min_feature_mm; // 0: none
+    sf_preserve_mode mode;
+    int steepest;
 } cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.
@@ -77,9 +87,6 @@ typedef struct cli_verb {
 // was asked for, or -1 with a sentence in `message`.
 int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made, char *message,
                   size_t message_size);
-
-// The angle for people: the round number that it was made from, where there is one.
-double options_angle_deg(const cli_options *options);
 
 // What --help prints for a verb.
 void options_help(const cli_verb *verb, FILE *to);

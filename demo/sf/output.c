@@ -83,18 +83,18 @@ static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *
     report_flag(job->report, "support_free", counts.support_free);
     report_end(job->report);
     if (!counts.support_free) {
-        job_warn(job, "Smoothing made %llu voxels unsupported.",
+        job_warn(job, "Smoothed, %llu voxels are unsupported.",
                  (unsigned long long)counts.unsupported_voxels);
     }
     return EXIT_GOOD;
 }
 
-static exit_status make_mesh(cli_job *job, const part *p, sf_mesh **mesh)
+static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, sf_mesh **mesh)
 {
     sf_surface_options how = sf_surface_options_default();
     how.smooth_passes = job->options.smooth;
     progress_phase("making the mesh");
-    sf_status status = sf_grid_surface(p->grid, &how, NULL, &job->task, mesh);
+    sf_status status = sf_grid_surface(grid, &how, NULL, &job->task, mesh);
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the mesh", EXIT_RESOURCE);
     }
@@ -127,10 +127,10 @@ exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *pat
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
 }
 
-exit_status output_save_mesh(cli_job *job, const part *p, const char *path)
+exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path)
 {
     sf_mesh *mesh = NULL;
-    exit_status status = make_mesh(job, p, &mesh);
+    exit_status status = make_mesh(job, p, grid, &mesh);
     if (status == EXIT_GOOD) {
         status = output_write_mesh(job, mesh, path);
     }
@@ -155,7 +155,7 @@ static sf_stack_info stack_info(const cli_job *job, const part *p)
     return info;
 }
 
-exit_status output_save_stack(cli_job *job, const part *p, const char *path)
+exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path)
 {
     sf_directory *directory = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
@@ -163,7 +163,7 @@ exit_status output_save_stack(cli_job *job, const part *p, const char *path)
     progress_phase("writing the stack");
     sf_status status = sf_directory_write(path, NULL, &directory, &fault);
     if (status == SF_OK) {
-        status = sf_stack_write(p->grid, &info, sf_directory_folder(directory), &job->task, &fault);
+        status = sf_stack_write(grid, &info, sf_directory_folder(directory), &job->task, &fault);
         if (status == SF_OK) {
             status = sf_directory_commit(directory, &fault);
         } else {
@@ -173,10 +173,10 @@ exit_status output_save_stack(cli_job *job, const part *p, const char *path)
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
 }
 
-exit_status output_save(cli_job *job, const part *p, const char *path)
+exit_status output_save(cli_job *job, const part *p, const sf_grid *grid, const char *path)
 {
-    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, path)
-                                               : output_save_stack(job, p, path);
+    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, grid, path)
+                                               : output_save_stack(job, p, grid, path);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -33,9 +33,8 @@ static exit_status refuse_options(cli_job *job, uint32_t useless, const char *wh
                     what, useless & OPTION_PITCH ? ", --pitch and --resolution" : "");
 }
 
-static exit_status read_mesh_file(cli_job *job, part *p)
+exit_status part_load_mesh(cli_job *job, const char *path, sf_mesh **mesh)
 {
-    const char *path = job->options.input;
     sf_file *file = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
     sf_status status = sf_file_open(path, NULL, &file, &fault);
@@ -43,8 +42,8 @@ static exit_status read_mesh_file(cli_job *job, part *p)
         return job_fail_call(job, status, &fault, path, EXIT_INPUT);
     }
     progress_phase("reading");
-    status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL,
-                          &p->mesh, &fault);
+    status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL, mesh,
+                          &fault);
     sf_file_close(file);
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_INPUT);
 }
@@ -73,8 +72,8 @@ static exit_status place(cli_job *job, part *p)
     if (asked->given & OPTION_SIZE) {
         factor = asked->size_mm / longest;
     }
-    sf_transform to_build = upright(asked->up, factor);
-    sf_status status = sf_mesh_transform(p->mesh, &to_build);
+    p->to_build = upright(asked->up, factor);
+    sf_status status = sf_mesh_transform(p->mesh, &p->to_build);
     longest *= factor;
     if (status != SF_OK || !isfinite(longest) || !(longest > 0)) {
         return job_fail(job, EXIT_USAGE,
@@ -95,7 +94,7 @@ static exit_status place(cli_job *job, part *p)
 static exit_status read_mesh(cli_job *job, part *p)
 {
     p->kind = PART_MESH;
-    exit_status status = read_mesh_file(job, p);
+    exit_status status = part_load_mesh(job, job->options.input, &p->mesh);
     return status == EXIT_GOOD ? place(job, p) : status;
 }
 
@@ -169,6 +168,7 @@ exit_status part_read(cli_job *job, part *p)
     struct stat entry;
     memset(p, 0, sizeof *p);
     p->bed_layer = SF_BED_AUTO;
+    p->to_build = upright(AXIS_Z, 1);
     if (input == NULL || strncmp(input, SCENE_PREFIX, strlen(SCENE_PREFIX)) == 0) {
         return read_scene(job, p);
     }
@@ -275,13 +275,15 @@ exit_status part_make_rule(cli_job *job, part *p)
         return job_fail_call(job, status, &fault, "--bridge", EXIT_USAGE);
     }
     p->has_rule = 1;
-    if (job->options.certificate != NULL) {
-        status = sf_grid_clone(p->grid, NULL, &p->before);
-        if (status != SF_OK) {
-            return job_fail_call(job, status, NULL, "the certificate", EXIT_RESOURCE);
-        }
-    }
     return choose_bed(job, p, &lattice);
+}
+
+sf_terms part_terms(const part *p)
+{
+    sf_terms terms = sf_terms_default();
+    terms.rule = p->rule;
+    terms.bed_layer = p->bed_layer;
+    return terms;
 }
 
 sf_transform part_to_input(const cli_job *job)
@@ -293,7 +295,6 @@ void part_release(part *p)
 {
     sf_mesh_destroy(p->mesh);
     sf_grid_destroy(p->grid);
-    sf_grid_destroy(p->before);
     free(p->table);
     memset(p, 0, sizeof *p);
 }

@@ -13,10 +13,10 @@ typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE } part_kind;
 
 typedef struct part {
     part_kind kind;
-    sf_mesh *mesh;   // in build axes (z up) and mm; NULL unless read from a mesh
-    sf_grid *grid;   // NULL until part_voxelize()
-    sf_grid *before; // the grid as it came, where a certificate is asked for; else NULL
-    int has_rule;    // whether part_make_rule() was called
+    sf_mesh *mesh;         // in build axes (z up) and mm; NULL unless read from a mesh
+    sf_transform to_build; // from the axes and unit of the input to build axes and mm
+    sf_grid *grid;         // NULL until part_voxelize()
+    int has_rule;          // whether part_make_rule() was called
     sf_rule rule;
     uint64_t *table;    // the rule's numbers
     uint32_t bed_layer; // SF_BED_AUTO unless --bed was given or the stack names one
@@ -31,6 +31,12 @@ exit_status part_voxelize(cli_job *job, part *p);
 
 // The rule that was asked for, on the part's lattice, and the bed.
 exit_status part_make_rule(cli_job *job, part *p);
+
+// The terms that the part is judged by: its rule and its bed, no masks.
+sf_terms part_terms(const part *p);
+
+// Read a mesh file as it is.
+exit_status part_load_mesh(cli_job *job, const char *path, sf_mesh **mesh);
 
 // Map from build axes back to the axes of the input.
 sf_transform part_to_input(const cli_job *job);

@@ -3,6 +3,7 @@
 
 #include "output.h"
 #include "progress.h"
+#include "values.h"
 #include "verbs.h"
 
 #include <math.h>
@@ -50,7 +51,7 @@ static void report_fields(cli_job *job, const answer *a)
     if (asked->rule == SF_RULE_BOX3) {
         report_null(r, "angle_deg");
     } else {
-        report_number(r, "angle_deg", options_angle_deg(asked));
+        report_number(r, "angle_deg", values_angle_deg(asked));
     }
     report_end(r);
     report_orientation(r, "given", &a->given);

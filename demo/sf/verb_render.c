@@ -5,7 +5,6 @@
 #include "output.h"
 #include "picture.h"
 #include "progress.h"
-#include "trimming.h"
 #include "verbs.h"
 
 static exit_status draw(cli_job *job, const part *p)

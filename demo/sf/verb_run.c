@@ -2,12 +2,12 @@
 // sf run: the main job. Check a part, make it printable, write everything to a folder, and say in
 // ten lines what was found and where it lies.
 
+#include "change.h"
 #include "describe.h"
 #include "judgement.h"
 #include "output.h"
 #include "picture.h"
 #include "results.h"
-#include "trimming.h"
 #include "verbs.h"
 
 #include <sys/stat.h>
@@ -55,17 +55,17 @@ static exit_status save_pictures(cli_job *job, const results *r, const sf_grid *
     return status == EXIT_GOOD ? save_picture(job, r, &second, "after.png") : status;
 }
 
-static exit_status save_shapes(cli_job *job, const results *r, const part *p)
+static exit_status save_shapes(cli_job *job, const results *r, const part *p, const sf_grid *after)
 {
     char path[RESULTS_PATH_SIZE];
     exit_status status = results_path(job, r, "printable.stl", path);
     if (status == EXIT_GOOD) {
-        status = output_save_mesh(job, p, path);
+        status = output_save_mesh(job, p, after, path);
     }
     if (status == EXIT_GOOD) {
         status = results_path(job, r, "layers", path);
     }
-    return status == EXIT_GOOD ? output_save_stack(job, p, path) : status;
+    return status == EXIT_GOOD ? output_save_stack(job, p, after, path) : status;
 }
 
 static exit_status save_report(cli_job *job, const results *to)
@@ -88,15 +88,15 @@ static exit_status save_report(cli_job *job, const results *to)
     return status == EXIT_GOOD ? output_save_report(job, path) : status;
 }
 
-static exit_status save_all(cli_job *job, const part *p, const sf_grid *before)
+static exit_status save_all(cli_job *job, const part *p, const sf_grid *after)
 {
     results to;
     exit_status status = results_begin(job, job->options.output, &to);
     if (status == EXIT_GOOD) {
-        status = save_shapes(job, &to, p);
+        status = save_shapes(job, &to, p, after);
     }
     if (status == EXIT_GOOD) {
-        status = save_pictures(job, &to, before, p->grid);
+        status = save_pictures(job, &to, p->grid, after);
     }
     if (status == EXIT_GOOD) {
         status = save_report(job, &to);
@@ -108,16 +108,19 @@ static exit_status save_all(cli_job *job, const part *p, const sf_grid *before)
     return status;
 }
 
-static exit_status trim_and_save(cli_job *job, part *p)
+static exit_status trim_and_save(cli_job *job, const part *p)
 {
-    sf_grid *before = NULL;
-    sf_check_report after;
-    exit_status status = trim_part(job, p, "trim", &after, &before);
+    const masks none = {NULL, NULL, NULL};
+    change trimmed;
+    exit_status status = change_make(job, p, &none, SF_OPERATION_TRIM, &trimmed);
     if (status == EXIT_GOOD) {
-        status = save_all(job, p, before);
+        change_report(job->report, "trim", &trimmed);
+        change_say(job->report, &trimmed);
+        status = save_all(job, p, trimmed.after);
     }
-    sf_grid_destroy(before);
-    return status == EXIT_GOOD && !after.support_free ? EXIT_PROPERTY : status;
+    status = status == EXIT_GOOD && !trimmed.holds ? EXIT_PROPERTY : status;
+    change_release(&trimmed);
+    return status;
 }
 
 static exit_status run(cli_job *job, part *p)

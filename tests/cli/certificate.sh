@@ -1,5 +1,5 @@
-# Why: the proof that travels with a result is made by the program and checked by another one. `sf trim
-# --certificate` writes it whole or not at all, sf-verify takes it for that stack and no other.
+# Why: the proof that travels with a result is made by the program and checked by another one. Every
+# operator writes it whole or not at all, sf-verify takes it for that stack and no other.
 . "$1"
 if [ -z "${SF_VERIFY:-}" ]; then
     echo "1..0 # SKIP sf-verify is not built"
@@ -16,10 +16,23 @@ verified() {
 }
 
 for rule in "--rule box3" "--angle 50" "--rule disk --angle 75" "--rule slack --angle 40 --bridge 6,1.5"; do
-    # shellcheck disable=SC2086
-    exits 0 trim scene:garden --resolution 48 $rule -o layers --certificate proof.json
-    verified 0 layers proof.json
+    for verb in trim grow repair; do
+        # shellcheck disable=SC2086
+        exits 0 $verb scene:garden --resolution 48 $rule -o layers --certificate proof.json
+        verified 0 layers proof.json
+    done
 done
+
+# Preserve: of what prints, and of what hangs before and after, which the certificate then exempts.
+box gate.obj 8 4 0 44 20 14
+for how in "layers" "scene:garden --resolution 48 --mode irredundant" "scene:garden --resolution 48 --mode core"; do
+    # shellcheck disable=SC2086
+    exits 0 preserve $how --remove gate.obj -o carved --certificate carved.json
+    verified 0 carved carved.json
+done
+grep -q '"exempt": \[\]' carved.json
+[ $? -eq 1 ]
+ok $? "what was accepted is in the certificate"
 cp proof.json other.json
 exits 0 trim scene:garden --resolution 48 --angle 50 -o layers --certificate proof.json
 verified 1 layers other.json

@@ -16,7 +16,14 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
     "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
     "run x -o y.png" "orient x -o y.png" "orient x --count 0" "orient x --pitch 1" "info x --pitch 1" "check scene:garden --bed 1000" \
-    "check scene:garden --up +x" "check scene:garden --pitch 1,2"; do
+    "check scene:garden --up +x" "check scene:garden --pitch 1,2" \
+    "preserve x" "preserve x --remove y --mode paper" "grow x --keep y" "trim x --forbid y" \
+    "check x --remove y" "grow x -o y.3mf" "repair x --min-feature 0" "repair x --min-feature -1" \
+    "repair x --min-feature nan" "repair x --min-feature inf" "trim x --min-feature 1" \
+    "repair scene:garden --resolution 24 --min-feature 1e6" "grow x --angle nan" \
+    "repair x --angle -45" "preserve x --remove y --angle 1e300" "grow x --bridge nan" \
+    "grow x --bridge -1" "repair x --bridge 1,-1" "grow x --bridge 1,2,3" "trim x --steepest" \
+    "grow scene:garden --resolution 24 --bridge 1e9" "repair x --keep" "check x --bridge inf"; do
     # shellcheck disable=SC2086
     exits 2 $arguments
     says_one_line
@@ -25,7 +32,7 @@ exits 2
 exits 2 frobnicate
 exits 0 --help
 exits 0 --version
-for verb in run info check trim slice orient render; do
+for verb in run info check trim grow repair preserve slice orient render; do
     exits 0 $verb --help
 done
 
@@ -40,10 +47,18 @@ mkdir folder
 run render scene:garden --resolution 8 --pixels 16,16 -o probe.png
 [ $exit -eq 2 ] && draw= || draw="render -o p.png"
 for file in text.stl nan.obj index.obj none.stl point.obj empty.stl missing.stl folder scene:desert; do
-    for verb in "check" "trim -o t.stl" "slice -o layers" ${draw:+"$draw"} "run -o out"; do
+    for verb in "check" "trim -o t.stl" "grow -o t.stl" "repair -o t.stl" "slice -o layers" ${draw:+"$draw"} "run -o out"; do
         # shellcheck disable=SC2086
         exits 3 ${verb%% *} "$file" $(expr "$verb" : '[a-z]* \(.*\)')
         says_one_line
+    done
+done
+for file in text.stl nan.obj index.obj empty.stl missing.stl folder; do
+    for option in "repair --keep" "grow --forbid" "preserve --remove"; do
+        # shellcheck disable=SC2086
+        exits 3 ${option%% *} scene:garden --resolution 16 -o t.stl ${option##* } $file
+        grep -q "^sf: ${option##* }: .*$file" stderr && [ "$(wc -l <stderr)" -eq 1 ]
+        ok $? "one sentence, which names option and file: $(cat stderr)"
     done
 done
 exits 3 orient scene:garden

@@ -5,7 +5,10 @@
 run trim scene:garden --resolution 24 -o part.stl
 run trim scene:garden --resolution 24 -o part.obj
 run slice scene:garden --resolution 24 -o layers
-for verb in run info check trim slice orient render; do
+box box.obj 10 10 0 30 30 20
+run slice box.obj --pitch 2 -o box
+run trim box -o box.stl
+for verb in run info check trim grow repair preserve slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
@@ -15,7 +18,7 @@ for verb in run info check trim slice orient render; do
     same $says "$([ $verb = info ] && echo no || echo yes)" "$verb --help says what a FILE is"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
-        info* | *--pitch* | "trim layers"*) extra= ;;
+        info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;
         *--resolution*) extra= ;;
         *) extra="--resolution 24" ;;
         esac

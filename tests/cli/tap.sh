@@ -46,6 +46,16 @@ value() {
     "$JSON_GET" "${2:-stdout}" "$1"
 }
 
+# box FILE X0 Y0 Z0 X1 Y1 Z1: a box, as an OBJ.
+box() {
+    awk -v box="$*" 'BEGIN {
+        split(box, b, " ")
+        for (i = 0; i < 8; i++)
+            print "v", b[i % 2 ? 5 : 2], b[int(i / 2) % 2 ? 6 : 3], b[(i > 3) ? 7 : 4]
+        print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6"
+    }' >"$1"
+}
+
 needs_json() {
     if [ -z "$JSON_GET" ]; then
         echo "1..0 # SKIP jansson is not installed"

@@ -57,9 +57,9 @@ TREE = {
     "CITATION.cff": "version: 1.2.3\n",
     "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - today\n",
     "README.md": "| `do` | Does it. |\n\n## Where\n\n| `libsf` | one room: `base` |\n",
-    "demo/sf/main.c": "// SPDX-License-Identifier: MIT\n// The verb of the tiny project.\n\n"
+    "demo/sf/verbs.c": "// SPDX-License-Identifier: MIT\n// The verb of the tiny project.\n\n"
                       "static const verb verbs[] = {\n    {{\"do\", \"Does it.\"}},\n};\n",
-    "demo/sf/meson.build": "sources += files('main.c')\n",
+    "demo/sf/meson.build": "sources += files('verbs.c')\n",
     # Stand-ins for nm and for what it looks into.
     "nm": "#!/bin/sh\ncat \"$2\"\n",
     "libsf.so": "00 T sf_do\n         U malloc\n",

@@ -384,10 +384,10 @@ def check_readme():
     bad += [f"README.md names libsf/{r}, which is not there" for r in re.findall(
         r"`(\w+)`", re.search(r"^\| `libsf` \|.*room:(.*)$", text, re.M).group(1))
         if not os.path.isdir(os.path.join(SOURCE, "libsf", r))]
-    verbs = re.findall(r'^    \{\{"(\w+)", "([^"]+)"', read("demo/sf/main.c"), re.M)
+    verbs = re.findall(r'^    \{\{"(\w+)", "([^"]+)"', read("demo/sf/verbs.c"), re.M)
     said = re.findall(r"^\| `(\w+)` \| (.*) \|$", text[:text.index("## Where")], re.M)
     if said != verbs:
-        bad.append(f"README.md says {said}, demo/sf/main.c {verbs}")
+        bad.append(f"README.md says {said}, demo/sf/verbs.c {verbs}")
     return bad
 
 

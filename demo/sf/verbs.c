@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The table of verbs: what each is for, which options it takes, examples that work.
+//
+// The README shows the first two columns, and a test runs every example.
+
+#include "verbs.h"
+
+#define INPUT_OPTIONS                                                                              \
+    (OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |    \
+     OPTION_FILL | OPTION_MEMORY)
+#define RULE_OPTIONS (OPTION_ANGLE | OPTION_RULE | OPTION_BED | OPTION_BRIDGE)
+#define HOST_OPTIONS (OPTION_THREADS | OPTION_JSON | OPTION_QUIET)
+#define CHANGE_OPTIONS                                                                             \
+    (INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH |                 \
+     OPTION_CERTIFICATE)
+#define CHANGE_OUTPUT "a mesh (.stl .obj .ply), or a folder for layers"
+
+const verb_entry verbs_table[] = {
+    {{"run", "check a part, make it printable in three ways, write a folder", "FILE", 1,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH | OPTION_VIEW |
+          OPTION_PIXELS,
+      "  sf run\n  sf run part.stl --angle 50 -o printable\n",
+      "folder for the results (default out)"},
+     verb_run},
+    {{"info", "what a part is: size, volume, mass, holes, orientation", "FILE", 0,
+      HOST_OPTIONS | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE,
+      "  sf info part.stl\n  sf info part.obj --units in --up +y --json\n  sf info layers\n", NULL},
+     verb_info},
+    {{"check", "does it print without supports, and where not?", "FILE", 0,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST,
+      "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
+      "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n",
+      NULL},
+     verb_check},
+    {{"trim", "take away what cannot print without supports", "FILE", 0,
+      CHANGE_OPTIONS | OPTION_KEEP,
+      "  sf trim part.stl -o printable.stl\n  sf trim part.stl --resolution 512 -o layers\n"
+      "  sf trim layers -o printable.ply\n"
+      "  sf trim part.stl -o layers --certificate layers.json\n",
+      CHANGE_OUTPUT},
+     verb_trim},
+    {{"grow", "add what is missing below, and take nothing away", "FILE", 0,
+      CHANGE_OPTIONS | OPTION_FORBID,
+      "  sf grow part.stl -o printable.stl\n  sf grow part.stl --bridge 5 -o printable.stl\n"
+      "  sf grow part.stl --forbid box.stl -o layers --certificate layers.json\n",
+      CHANGE_OUTPUT},
+     verb_grow},
+    {{"repair", "the least change: take away here, add there", "FILE", 0,
+      CHANGE_OPTIONS | OPTION_KEEP | OPTION_FORBID | OPTION_MIN_FEATURE,
+      "  sf repair part.stl -o printable.stl\n"
+      "  sf repair part.stl --min-feature 0.8 --keep box.stl -o printable.stl\n"
+      "  sf repair part.stl --angle 50 -o layers --certificate layers.json\n",
+      CHANGE_OUTPUT},
+     verb_repair},
+    {{"preserve", "remove a brush, but not what carries the rest", "FILE", 0,
+      CHANGE_OPTIONS | OPTION_REMOVE | OPTION_KEEP | OPTION_MODE,
+      "  sf preserve part.stl --remove box.stl -o hollowed.stl\n"
+      "  sf preserve layers --remove box.stl --mode irredundant -o carved\n",
+      CHANGE_OUTPUT},
+     verb_preserve},
+    {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
+      "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},
+     verb_slice},
+    {{"orient", "which way up does it print best, and why?", "FILE", 0,
+      OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |
+          OPTION_ANGLE | OPTION_RULE | HOST_OPTIONS | OPTION_OUTPUT | OPTION_COUNT,
+      "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n",
+      "the mesh, turned the best way (.stl .obj .ply)"},
+     verb_orient},
+    {{"render", "a picture of the part, what cannot print in red", "FILE", 0,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_VIEW | OPTION_PIXELS,
+      "  sf render part.stl -o part.png\n  sf render part.stl --view below --pixels 800,600\n",
+      "the picture (default render.png)"},
+     verb_render},
+};
+const int verbs_count = sizeof verbs_table / sizeof verbs_table[0];
