@@ -3,6 +3,7 @@
 
 #include "operators.h"
 
+#include <sf/grow.h>
 #include <sf/preserve.h>
 #include <sf/repair.h>
 
@@ -24,16 +25,6 @@ int operators_may_refuse(const order *o)
 {
     return o->operation == SF_OPERATION_GROW ||
            (o->operation != SF_OPERATION_PRESERVE && o->terms.keep != NULL);
-}
-
-// A repair that must keep everything only adds.
-static sf_status grow_grid(const order *o, const sf_grid *before, sf_grid *grid, sf_grid *culprits,
-                           sf_task *task)
-{
-    sf_repair_options how = sf_repair_options_default();
-    how.terms = o->terms;
-    how.terms.keep = before;
-    return sf_grid_repair(grid, &how, NULL, task, culprits, NULL);
 }
 
 // The changes that a repair tries end where no small one helps any more, which is not the least
@@ -80,7 +71,7 @@ sf_status operators_apply(const order *o, const sf_grid *before, sf_grid **grid,
     case SF_OPERATION_TRIM:
         return sf_grid_trim_on(*grid, &o->terms, NULL, task, culprits, NULL);
     case SF_OPERATION_GROW:
-        return grow_grid(o, before, *grid, culprits, task);
+        return sf_grid_grow(*grid, &o->terms, NULL, task, culprits, NULL);
     case SF_OPERATION_REPAIR:
         return repair_grid(o, before, grid, culprits, task, cost);
     case SF_OPERATION_PRESERVE:
