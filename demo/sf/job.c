@@ -53,6 +53,17 @@ exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
                     why[0] != '\0' ? why : sf_status_message(status));
 }
 
+void job_report_culprits(const cli_job *job, report *r)
+{
+    report_begin(r, "culprits");
+    report_count(r, "count", job->culprits);
+    report_begin(r, "box_mm");
+    report_numbers(r, "low", job->culprit_low_mm, 3);
+    report_numbers(r, "high", job->culprit_high_mm, 3);
+    report_end(r);
+    report_end(r);
+}
+
 void job_warn(cli_job *job, const char *format, ...)
 {
     char line[512];

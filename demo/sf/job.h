@@ -47,6 +47,9 @@ exit_status job_fail(cli_job *job, exit_status status, const char *format, ...)
 exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
                           const char *subject, exit_status status_input);
 
+// Fields of the voxels that must stay and cannot: an object "culprits".
+void job_report_culprits(const cli_job *job, report *r);
+
 // A warning goes into the report, and to standard error at the end.
 void job_warn(cli_job *job, const char *format, ...)
 #if defined(__GNUC__) && !defined(__MINGW32__) // whose printf is another

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINDINGS_MAX = 65536, FINDINGS_SAID = 4 };
+enum { FINDINGS_MAX = 65536 };
 
 static sf_check_options how_to_check(const part *p)
 {
@@ -198,10 +198,11 @@ static void say_finding(report *r, const sf_lattice *lattice, const judgement *j
 }
 
 // The findings that cost most to fix, one by one, and the others in one line.
-static void say_findings(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3)
+static void say_findings(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3,
+                         size_t most)
 {
     const sf_check_report *c = &j->counts;
-    size_t count = j->finding_count < FINDINGS_SAID ? j->finding_count : FINDINGS_SAID;
+    size_t count = j->finding_count < most ? j->finding_count : most;
     uint64_t rest = c->island_count + c->overhang_count - count, said = 0;
     for (size_t i = 0; i < count; i++) {
         say_finding(r, lattice, j, j->order[i], voxel_mm3);
@@ -230,13 +231,13 @@ static void say_verdict(report *r, const sf_check_report *c)
                100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
 }
 
-void judgement_report(cli_job *job, const part *p, const judgement *j)
+void judgement_report(cli_job *job, const part *p, const judgement *j, size_t said)
 {
     report *r = job->report;
     sf_lattice lattice = sf_grid_lattice(p->grid);
     report_fields(r, &lattice, j);
     report_number(r, "volume_mm3", describe_volume(p->grid));
     say_verdict(r, &j->counts);
-    say_findings(r, &lattice, j, place_voxel_mm3(p->grid));
+    say_findings(r, &lattice, j, place_voxel_mm3(p->grid), said);
     hollows_report(job, p, &j->hollows);
 }

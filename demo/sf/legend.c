@@ -21,12 +21,14 @@ double legend_round_length(double most_mm)
     return unit * (times >= 5 ? 5 : times >= 2 ? 2 : 1);
 }
 
-// Large enough to be read where the picture is shown at half its size, and no wider than it.
+// Large enough to be read where the picture is shown at half its size, or a wide one narrower
+// still; and no wider than it.
 static int text_size(const canvas *c)
 {
-    int by_height = (int)c->height / 34, by_width = (int)c->width / 38;
-    int size = by_height < 11 ? 11 : by_height;
-    return size < by_width ? size : by_width;
+    int size = (int)c->height / 34, wide = (int)c->width / 80, most = (int)c->width / 38;
+    size = size < wide ? wide : size;
+    size = size < 11 ? 11 : size;
+    return size < most ? size : most;
 }
 
 static void draw_bar(canvas *c, int left, int middle, int length, int size)
@@ -47,12 +49,12 @@ static int draw_swatch(canvas *c, int left, int middle, int size, const double r
            size;
 }
 
-double legend_draw(canvas *picture, double pixel_mm, int with_lost, const double kept[3],
-                   const double lost[3])
+double legend_draw(canvas *picture, double pixel_mm, double most, const swatch *swatches,
+                   size_t count)
 {
     int strip = (int)legend_height(picture->height), size = text_size(picture);
     int middle = (int)picture->height - strip / 2, margin = strip / 2;
-    double bar_mm = legend_round_length(0.25 * picture->width * pixel_mm);
+    double bar_mm = legend_round_length(most * pixel_mm);
     int length = (int)(bar_mm / pixel_mm + 0.5);
     char words[32];
     snprintf(words, sizeof words, "%g mm", bar_mm);
@@ -61,9 +63,8 @@ double legend_draw(canvas *picture, double pixel_mm, int with_lost, const double
                canvas_text(picture, margin + length + size, middle + size * 3 / 8, size, TEXT_LEFT,
                            ink, words) +
                3 * size;
-    next = draw_swatch(picture, next, middle, size, kept, "prints");
-    if (with_lost) {
-        draw_swatch(picture, next, middle, size, lost, "cannot print without supports");
+    for (size_t i = 0; i < count; i++) {
+        next = draw_swatch(picture, next, middle, size, swatches[i].rgb, swatches[i].words);
     }
     return bar_mm;
 }

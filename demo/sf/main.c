@@ -47,13 +47,7 @@ static void print_failure_json(const cli_job *job, exit_status status)
     report_count(r, "offset", job->fault.offset);
     report_end(r);
     if (job->culprits > 0) {
-        report_begin(r, "culprits");
-        report_count(r, "count", job->culprits);
-        report_begin(r, "box_mm");
-        report_numbers(r, "low", job->culprit_low_mm, 3);
-        report_numbers(r, "high", job->culprit_high_mm, 3);
-        report_end(r);
-        report_end(r);
+        job_report_culprits(job, r);
     }
     (void)!report_print_json(r, sink_of(stdout));
     report_destroy(r);

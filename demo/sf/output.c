@@ -59,7 +59,8 @@ exit_status output_check(cli_job *job, int mesh_allowed)
 // ---------------------------------------------------------------------------------------------
 
 // What smoothing did to support: voxelise what will be written, and look.
-static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *mesh)
+static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *mesh,
+                                    const char *key)
 {
     sf_grid *again = NULL;
     sf_check_report counts;
@@ -76,7 +77,7 @@ static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the smoothed mesh", EXIT_RESOURCE);
     }
-    report_begin(job->report, "smoothed");
+    report_begin(job->report, key);
     report_count(job->report, "passes", (uint64_t)job->options.smooth);
     report_count(job->report, "unsupported_voxels", counts.unsupported_voxels);
     report_count(job->report, "trimmed_voxels", counts.trimmed_voxels);
@@ -89,7 +90,8 @@ static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *
     return EXIT_GOOD;
 }
 
-static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, sf_mesh **mesh)
+static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *key,
+                             sf_mesh **mesh)
 {
     sf_surface_options how = sf_surface_options_default();
     how.smooth_passes = job->options.smooth;
@@ -100,7 +102,7 @@ static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, s
     }
     exit_status checked = EXIT_GOOD;
     if (how.smooth_passes > 0) {
-        checked = report_smoothing(job, p, *mesh);
+        checked = report_smoothing(job, p, *mesh, key);
     }
     sf_transform back = part_to_input(job);
     if (checked == EXIT_GOOD && sf_mesh_transform(*mesh, &back) != SF_OK) {
@@ -127,10 +129,11 @@ exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *pat
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
 }
 
-exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path)
+exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path,
+                             const char *key)
 {
     sf_mesh *mesh = NULL;
-    exit_status status = make_mesh(job, p, grid, &mesh);
+    exit_status status = make_mesh(job, p, grid, key, &mesh);
     if (status == EXIT_GOOD) {
         status = output_write_mesh(job, mesh, path);
     }
@@ -175,7 +178,7 @@ exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, 
 
 exit_status output_save(cli_job *job, const part *p, const sf_grid *grid, const char *path)
 {
-    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, grid, path)
+    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, grid, path, "smoothed")
                                                : output_save_stack(job, p, grid, path);
 }
 

@@ -21,8 +21,10 @@ exit_status output_check(cli_job *job, int mesh_allowed);
 // Write a mesh as it is.
 exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path);
 
-// Write the surface of a grid on the part's lattice, in the axes of the input, or its slices.
-exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path);
+// Write the surface of a grid on the part's lattice, in the axes of the input, or its slices. Where
+// the surface is smoothed, an object of the name `key` says what that did to it.
+exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path,
+                             const char *key);
 exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path);
 
 // The one of the two that the name asks for.

@@ -1,43 +1,46 @@
 // SPDX-License-Identifier: MIT
 // A picture of a shape: what prints, what does not, and how large it is.
 //
-// Nine rays a pixel, each marched to the first voxel, shaded by its smoothed normal, darkened in
-// cracks, and marched once more for a shadow, each towards another point of a round lamp, which
-// makes the rims of shadows soft. Seen from above, the shape stands on a bed with lines at round
-// distances; seen from below there is no bed, because it would hide what one wants to see. Bands of
-// rows are drawn side by side; no pixel depends on another.
+// Four or nine rays a pixel, each marched to the first voxel, shaded by its smoothed normal,
+// darkened in cracks, and marched once more for a shadow, each towards another point of a round
+// lamp, which makes the rims of shadows soft. Seen from above, the shape stands on a bed with lines
+// at round distances; seen from below there is no bed, because it would hide what one wants to see.
+// Bands of rows are drawn side by side; no pixel depends on another.
 
 #include "picture.h"
 
 #include "camera.h"
 #include "legend.h"
+#include "place.h"
 #include "progress.h"
 #include "volume.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { SUBPIXELS = 3, BAND = 8 };
-#define LAMP 0.045 // radius of the lamp over its distance
+enum { RAYS_MAX = 9, BAND = 8 };
+#define LAMP 0.045      // radius of the lamp over its distance
+#define BED_MARGIN 0.08 // of the longer side, all around
 
-static const double kept_colour[3] = {0.80, 0.84, 0.88};
-static const double lost_colour[3] = {0.93, 0.33, 0.16};
+const double picture_matter[3] = {0.80, 0.84, 0.88};
+const double picture_lost[3] = {0.93, 0.33, 0.16};
+const double picture_added[3] = {0.16, 0.56, 1.00};
 static const double bed_colour[3] = {0.95, 0.955, 0.96};
 static const double line_colour[3] = {0.84, 0.85, 0.87};
 
 typedef struct view {
     volume volume;
-    const sf_grid *kept;
+    const subject *what;
     camera camera;
-    double light[3];                       // unit vector towards the middle of the lamp
-    double lamp[SUBPIXELS * SUBPIXELS][3]; // and towards one of its points for each ray
-    double bed_mm;                         // height of the bed; drawn where has_bed
+    double light[3];          // unit vector towards the middle of the lamp
+    double lamp[RAYS_MAX][3]; // and towards one of its points for each ray
+    double bed_mm;            // height of the bed; drawn where has_bed
     double bed_low[2], bed_high[2];
     double line_mm; // distance of the lines on the bed
     int has_bed;
     canvas *picture;
-    uint32_t view_height; // rows of the picture above the legend
-    uint32_t first_row;
+    frame where;
+    uint32_t first_row; // of `where`
 } view;
 
 // ---------------------------------------------------------------------------------------------
@@ -72,14 +75,14 @@ static void shade_matter(const view *w, const double start[3], int ray, const hi
     for (int i = 0; i < 3; i++) {
         at[i] = start[i] + h->t * w->camera.forward[i] + step * h->normal[i];
     }
-    int lost = !sf_slice_get(sf_grid_slice(w->kept, h->z), h->x, h->y);
+    int plain = sf_slice_get(sf_grid_slice(w->what->plain, h->z), h->x, h->y);
     double facing = dot(h->normal, w->light);
     double direct = facing > 0 && !in_shadow(w, at, ray) ? facing : 0;
     // Who looks from below wants to see undersides.
     double ambient = 0.48 + (w->has_bed ? 0.1 : -0.08) * h->normal[2];
     double open = fmin(1, 0.35 + 1.3 * h->openness);
     for (int i = 0; i < 3; i++) {
-        rgb[i] = (lost ? lost_colour : kept_colour)[i] * (ambient * open + 0.52 * direct);
+        rgb[i] = (plain ? picture_matter : w->what->other)[i] * (ambient * open + 0.52 * direct);
     }
 }
 
@@ -128,17 +131,18 @@ static void shade(const view *w, double x, double y, int ray, hit *last, double 
 static void draw_pixel(const view *w, uint32_t column, uint32_t row, hit *last)
 {
     double sum[3] = {0, 0, 0}, rgb[3];
-    for (int i = 0; i < SUBPIXELS * SUBPIXELS; i++) {
-        double dx = (i % SUBPIXELS + 0.5) / SUBPIXELS, dy = (i / SUBPIXELS + 0.5) / SUBPIXELS;
-        shade(w, column + dx - 0.5 * w->picture->width, 0.5 * w->view_height - row - dy, i, last,
+    int side = w->where.rays;
+    for (int i = 0; i < side * side; i++) {
+        double dx = (i % side + 0.5) / side, dy = ((double)(i / side) + 0.5) / side;
+        shade(w, column + dx - 0.5 * w->where.width, 0.5 * w->where.height - row - dy, i, last,
               rgb);
         for (int c = 0; c < 3; c++) {
             sum[c] += fmin(rgb[c], 1);
         }
     }
-    uint8_t *pixel = w->picture->pixels + 3 * ((size_t)row * w->picture->width + column);
+    size_t at = (size_t)(w->where.y + row) * w->picture->width + w->where.x + column;
     for (int c = 0; c < 3; c++) {
-        pixel[c] = (uint8_t)(255 * sum[c] / (SUBPIXELS * SUBPIXELS) + 0.5);
+        w->picture->pixels[3 * at + (size_t)c] = (uint8_t)(255 * sum[c] / (side * side) + 0.5);
     }
 }
 
@@ -147,15 +151,15 @@ static void draw_row(void *context, size_t index)
     const view *w = context;
     hit last = {.openness = -1};
     uint32_t row = w->first_row + (uint32_t)index;
-    for (uint32_t column = 0; column < w->picture->width; column++) {
+    for (uint32_t column = 0; column < w->where.width; column++) {
         draw_pixel(w, column, row, &last);
     }
 }
 
 static sf_status draw_rows(view *w, sf_task *task)
 {
-    while (w->first_row < w->view_height) {
-        uint32_t left = w->view_height - w->first_row;
+    while (w->first_row < w->where.height) {
+        uint32_t left = w->where.height - w->first_row;
         size_t count = left < BAND ? left : BAND;
         if (sf_task_is_cancelled(task)) {
             return SF_ERR_CANCELLED;
@@ -169,7 +173,7 @@ static sf_status draw_rows(view *w, sf_task *task)
         }
         w->first_row += (uint32_t)count;
         if (task->progress != NULL) {
-            task->progress(task->user, (double)w->first_row / w->view_height);
+            task->progress(task->user, (double)w->first_row / w->where.height);
         }
     }
     return SF_OK;
@@ -179,19 +183,9 @@ static sf_status draw_rows(view *w, sf_task *task)
 // Set-up
 // ---------------------------------------------------------------------------------------------
 
-static void corners(const sf_lattice *l, const sf_box *b, double low[3], double high[3])
-{
-    low[0] = l->origin_mm[0] + b->x0 * l->pitch_x_mm;
-    high[0] = l->origin_mm[0] + b->x1 * l->pitch_x_mm;
-    low[1] = l->origin_mm[1] + b->y0 * l->pitch_y_mm;
-    high[1] = l->origin_mm[1] + b->y1 * l->pitch_y_mm;
-    low[2] = sf_lattice_layer_bottom(l, b->z0);
-    high[2] = sf_lattice_layer_bottom(l, b->z1);
-}
-
 static void lay_bed(view *w, const sf_box *bounds, double low[3], double high[3])
 {
-    double margin = 0.08 * fmax(high[0] - low[0], high[1] - low[1]);
+    double margin = BED_MARGIN * fmax(high[0] - low[0], high[1] - low[1]);
     w->bed_mm = low[2];
     w->has_bed = w->camera.forward[2] < -0.02;
     for (int i = 0; i < 2; i++) {
@@ -215,59 +209,90 @@ static void normalize(double v[3])
 }
 
 // The lamp's points lie on a spiral that fills a disk evenly (each a golden angle further), and go
-// to the rays of a pixel in an order that puts neighbours far apart.
+// to the rays of a pixel in an order that puts neighbours far apart: a step without a common
+// factor.
 static void set_light(view *w)
 {
-    enum { COUNT = SUBPIXELS * SUBPIXELS };
+    int count = w->where.rays * w->where.rays, far = count == RAYS_MAX ? 4 : 3;
     for (int i = 0; i < 3; i++) {
         w->light[i] =
             -0.5 * w->camera.right[i] + 0.62 * w->camera.up[i] - 0.6 * w->camera.forward[i];
     }
     normalize(w->light);
-    for (int k = 0; k < COUNT; k++) {
-        double radius = LAMP * sqrt((k + 0.5) / COUNT), turn = 2.39996322972865332 * k;
+    for (int k = 0; k < count; k++) {
+        double radius = LAMP * sqrt((k + 0.5) / count), turn = 2.39996322972865332 * k;
+        double *point = w->lamp[far * k % count];
         for (int i = 0; i < 3; i++) {
-            w->lamp[4 * k % COUNT][i] = w->light[i] + radius * cos(turn) * w->camera.right[i] +
-                                        radius * sin(turn) * w->camera.up[i];
+            point[i] = w->light[i] + radius * cos(turn) * w->camera.right[i] +
+                       radius * sin(turn) * w->camera.up[i];
         }
-        normalize(w->lamp[4 * k % COUNT]);
+        normalize(point);
     }
 }
 
-static void set_up(view *w, const cli_options *asked, const sf_grid *framed)
+static void set_up(view *w, const cli_options *asked)
 {
-    sf_box bounds = sf_grid_bounds(framed);
+    const sf_box *framed = &w->what->framed;
     double low[3], high[3];
-    corners(&w->volume.lattice, &bounds, low, high);
+    place_of_box(&w->volume.lattice, framed, low, high);
     w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, 1, 1);
-    lay_bed(w, &bounds, low, high);
-    w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, w->picture->width,
-                            w->view_height);
+    lay_bed(w, framed, low, high);
+    w->camera = camera_make(asked->azimuth_deg, asked->elevation_deg, low, high, w->where.width,
+                            w->where.height);
     set_light(w);
 }
 
-exit_status picture_draw(cli_job *job, const subject *what, canvas *picture, double *bar_mm)
+double picture_aspect(const cli_job *job, const sf_lattice *lattice, sf_box framed)
 {
-    const cli_options *asked = &job->options;
+    double low[3], high[3];
+    place_of_box(lattice, &framed, low, high);
+    for (int i = 0; i < 2; i++) {
+        double margin = BED_MARGIN * fmax(high[0] - low[0], high[1] - low[1]);
+        low[i] -= margin;
+        high[i] += margin;
+    }
+    double tall = 1e6; // one of the two sides decides: where there is room enough for the other
+    camera wide =
+        camera_make(job->options.azimuth_deg, job->options.elevation_deg, low, high, 1, tall);
+    camera high_one =
+        camera_make(job->options.azimuth_deg, job->options.elevation_deg, low, high, tall, 1);
+    return high_one.pixel_mm / wide.pixel_mm;
+}
+
+exit_status picture_paint(cli_job *job, const subject *what, canvas *picture, frame where,
+                          double *pixel_mm)
+{
     view w;
     memset(&w, 0, sizeof w);
-    if (!canvas_create(picture, asked->pixels[0], asked->pixels[1])) {
-        return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
-    }
-    w.kept = what->kept;
+    w.what = what;
     w.picture = picture;
-    w.view_height = asked->pixels[1] - legend_height(asked->pixels[1]);
+    w.where = where;
     if (!volume_create(&w.volume, what->shape)) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
     }
     progress_phase("drawing");
-    set_up(&w, asked, what->framed);
+    set_up(&w, &job->options);
     sf_status status = draw_rows(&w, &job->task);
     volume_destroy(&w.volume);
-    if (status != SF_OK) {
-        return job_fail_call(job, status, NULL, "the picture", EXIT_RESOURCE);
+    *pixel_mm = w.camera.pixel_mm;
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, NULL, "the picture", EXIT_RESOURCE);
+}
+
+exit_status picture_draw(cli_job *job, const subject *what, canvas *picture, double *bar_mm)
+{
+    const uint32_t *size = job->options.pixels;
+    const swatch colours[] = {{picture_matter, "prints"},
+                              {what->other, "cannot print without supports"}};
+    frame where = {0, 0, size[0], size[1] - legend_height(size[1]), 3};
+    double pixel_mm;
+    if (!canvas_create(picture, size[0], size[1])) {
+        return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
     }
-    *bar_mm = legend_draw(picture, w.camera.pixel_mm, what->shape != what->kept, kept_colour,
-                          lost_colour);
-    return EXIT_GOOD;
+    exit_status status = picture_paint(job, what, picture, where, &pixel_mm);
+    if (status == EXIT_GOOD) {
+        *bar_mm = legend_draw(picture, pixel_mm, 0.25 * size[0], colours,
+                              what->shape != what->plain ? 2 : 1);
+    }
+    return status;
 }

@@ -18,8 +18,8 @@
 #include <unistd.h>
 
 // What a run makes, in the order in which it is published. The folder is a stack.
-static const char *const names[] = {"layers", "printable.stl", "before.png", "after.png",
-                                    "report.json"};
+static const char *const names[] = {"layers",     "printable.stl", "trimmed.stl", "grown.stl",
+                                    "before.png", "after.png",     "report.json"};
 enum { NAME_COUNT = sizeof names / sizeof names[0], LAYERS = 0 };
 
 static int make_folder(const char *path)
@@ -157,6 +157,7 @@ exit_status results_publish(cli_job *job, results *r)
             return status;
         }
         if (!exists(from)) {
+            remove(to); // of an earlier run: it would not belong to this report
             continue;
         }
         if ((i == LAYERS ? move_layers(r, from, to) : move_file(from, to)) != 0) {

@@ -68,7 +68,7 @@ static exit_status check(cli_job *job, part *p)
     describe_part(job, p, "check");
     status = judge(job, p, &j);
     if (status == EXIT_GOOD) {
-        judgement_report(job, p, &j);
+        judgement_report(job, p, &j, 4);
         status = job->options.steepest ? look_for_steepest(job, p) : EXIT_GOOD;
     }
     if (status == EXIT_GOOD) {

@@ -22,7 +22,8 @@ static exit_status draw(cli_job *job, const part *p)
         sf_grid_destroy(shape);
         return job_fail_call(job, made, NULL, "the picture", EXIT_RESOURCE);
     }
-    subject what = {shape, done.removed_voxels > 0 ? p->grid : shape, shape};
+    subject what = {shape, done.removed_voxels > 0 ? p->grid : shape, picture_lost,
+                    sf_grid_bounds(shape)};
     exit_status status = picture_draw(job, &what, &picture, &bar_mm);
     if (status == EXIT_GOOD) {
         status = output_save_picture(job, &picture, job->options.output);

@@ -18,7 +18,7 @@
 const verb_entry verbs_table[] = {
     {{"run", "check a part, make it printable in three ways, write a folder", "FILE", 1,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH | OPTION_VIEW |
-          OPTION_PIXELS,
+          OPTION_PIXELS | OPTION_MIN_FEATURE,
       "  sf run\n  sf run part.stl --angle 50 -o printable\n",
       "folder for the results (default out)"},
      verb_run},

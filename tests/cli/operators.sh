@@ -104,5 +104,9 @@ if [ -z "$wrapper" ]; then
             rm -rf full
         done
     done
+    exit=0
+    (trap '' XFSZ; ulimit -f 8; exec "$SF" repair scene:garden --resolution 200 --certificate full.json) \
+        >stdout 2>stderr || exit=$?
+    same "$exit $(ls -A | grep -c full)" "4 0" "a certificate on a full disk is none"
 fi
 finish

@@ -1,4 +1,4 @@
-# Why: `sf run` is the first thing that anybody does. It writes five things, says so in ten lines, and
+# Why: `sf run` is the first thing that anybody does. It writes seven things, says so in ten lines, and
 # can be run again; and where it is cancelled or the disk is full, what was there is there still.
 . "$1"
 
@@ -7,13 +7,24 @@ for attempt in first second; do
     same $exit 0 "$attempt run"
     [ "$(wc -l <stdout)" -le 10 ]
     ok $? "at most ten lines"
-    [ -s out/printable.stl ] && [ -s out/report.json ] && [ -s out/layers/stack.json ]
-    ok $? "mesh, report and stack are there"
-    [ "$(ls out | wc -l)" -le 5 ] && [ -z "$(ls -A out | grep '^\.')" ]
+    [ -s out/printable.stl ] && [ -s out/trimmed.stl ] && [ -s out/grown.stl ] && [ -s out/report.json ] && [ -s out/layers/stack.json ]
+    ok $? "meshes, report and stack are there"
+    [ "$(ls out | wc -l)" -le 7 ] && [ -z "$(ls -A out | grep '^\.')" ]
     ok $? "and nothing else"
 done
 if [ -n "$JSON_GET" ]; then
-    same "$(value trim.support_free out/report.json)" true "the report is JSON and says it prints"
+    for way in trim grow repair; do
+        same "$(value $way.support_free out/report.json)" true "the report is JSON and says that $way prints"
+        for path in kept_voxels removed_voxels added_voxels cost volume_mm3 seconds; do
+            value $way.$path out/report.json >/dev/null
+            ok $? "and has its $path"
+        done
+    done
+    for way in trim grow; do
+        [ "$(value repair.cost out/report.json)" -le "$(value $way.cost out/report.json)" ]
+        ok $? "repair changes no more than $way"
+    done
+    same "$(value printable out/report.json)" repair "printable.stl is the repair"
     exits 0 check out/layers
     exits 0 check out/printable.stl --pitch 1.5
 fi
@@ -23,6 +34,24 @@ if [ -e out/before.png ]; then
     [ $? -eq 1 ]
     ok $? "before and after differ"
 fi
+
+# Where growing cannot do it, the other two stand, and the grown shape of an earlier run goes.
+cp -R out bed
+run run --resolution 64 --pixels 160,120 --bed 8 -o bed
+same "$exit $(ls bed | grep -c grown.stl)" "0 0" "matter below the bed cannot be grown under"
+grep -q 'grow .*not possible' stdout && [ -s bed/printable.stl ]
+ok $? "which is said"
+[ -z "$JSON_GET" ] || [ "$(value grow.culprits.count bed/report.json)" -gt 0 ]
+ok $? "with what is in the way"
+run run --resolution 64 --pixels 160,120 --memory 0.15 -o little
+same "$exit $(ls little | grep -c grown.stl)" "0 0" "little memory is enough for a trim"
+grep -q 'Only trimmed' stderr && grep -q 'printable.stl is the trim' stdout
+ok $? "which is said too"
+
+run run --resolution 48 --pixels 160,120 --smooth 2 --min-feature 4 -o smooth
+same $exit 0 "run takes --smooth and --min-feature"
+[ -z "$JSON_GET" ] || value smoothed_repair.passes smooth/report.json >/dev/null
+ok $? "and says what smoothing did to each"
 
 # Other files in the folder are nobody's business; a folder of layers that is no stack is refused.
 echo mine >out/mine.txt
