@@ -23,7 +23,7 @@ static const option_entry table[] = {
     {OPTION_PITCH, "pitch", 0, "PX[,PY[,LAYER]]", "voxel size in mm instead of a resolution"},
     {OPTION_ANGLE, "angle", 0, "DEG", "overhang from the vertical that still prints (default 45)"},
     {OPTION_RULE, "rule", 0, "RULE",
-     "octagon (default), slack, disk, or box3, which takes no angle"},
+     "octagon (default; slack on oblong pixels), slack, disk, or box3, which takes no angle"},
     {OPTION_BRIDGE, "bridge", 0, "MM[,ANCHOR]", "gaps that may be spanned between two held ends"},
     {OPTION_CERTIFICATE, "certificate", 0, "FILE", "a proof of the result, for sf-verify"},
     {OPTION_KEEP, "keep", 0, "MESH", "matter in there is never removed"},

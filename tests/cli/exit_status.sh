@@ -16,7 +16,7 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
     "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
     "run x -o y.png" "orient x -o y.png" "orient x --count 0" "orient x --pitch 1" "info x --pitch 1" "check scene:garden --bed 1000" \
-    "check scene:garden --up +x" "check scene:garden --pitch 1,2" \
+    "check scene:garden --up +x" "check scene:garden --pitch 1,2 --rule octagon" \
     "preserve x" "preserve x --remove y --mode paper" "grow x --keep y" "trim x --forbid y" \
     "check x --remove y" "grow x -o y.3mf" "repair x --min-feature 0" "repair x --min-feature -1" \
     "repair x --min-feature nan" "repair x --min-feature inf" "trim x --min-feature 1" \

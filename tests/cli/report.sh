@@ -25,6 +25,11 @@ same $sum "$trimmed" "the findings add up to what a trim takes away"
 ranks=$(j=0; while [ $j -lt $i ]; do value findings.$j.rank; j=$((j + 1)); done | sort -n | uniq | wc -l)
 same $((ranks)) $i "every finding has a rank of its own"
 
+run check scene:garden --pitch 1,1.6,0.8 --json
+same "$(value rule.kind)" slack "on oblong pixels the rule is slack"
+run check scene:garden --pitch 1,1,0.8 --json
+same "$(value rule.kind)" octagon "and octagon on square ones"
+
 # A box of 20 mm with a box of 10 mm in it that faces inwards, shut or open at the top.
 hollow() {
     awk -v top="$1" 'BEGIN {
