@@ -113,11 +113,12 @@ static void take_cheap(uint8_t *restrict codes, const uint8_t *restrict in, uint
     }
 }
 
-// BLOCK codes of row y from x on, x perhaps below 0 or beyond the row, where nothing is alive.
+// BLOCK codes of row y from x on, x perhaps below 0 or beyond the row, where nothing is alive. The
+// last word's codes past the width are zero; those of words past it are nobody's.
 static const uint8_t *codes_at(const step *s, uint32_t y, int64_t x, uint8_t room[BLOCK])
 {
     const uint8_t *row = s->below + y * s->stride;
-    if (x >= 0 && x + BLOCK <= (int64_t)s->stride) {
+    if (x >= 0 && x + BLOCK <= (int64_t)sfi_row_words(s->alive.width) * BLOCK) {
         return row + x;
     }
     for (int64_t i = 0; i < BLOCK; i++) {
