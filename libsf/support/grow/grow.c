@@ -156,10 +156,14 @@ static int is_any_impossible(const sfi_growth *g)
     for (uint32_t k = 0; k < g->site.lattice.nz; k++) {
         sf_slice may = sf_grid_slice(g->possible, k), is = sf_grid_slice(g->site.grid, k);
         for (uint32_t y = 0; y < is.height; y++) {
-            for (size_t i = 0; i < sfi_row_words(is.width); i++) {
-                if ((sfi_slice_row(is, y)[i] & ~sfi_slice_row(may, y)[i]) != 0) {
-                    return 1;
-                }
+            size_t last = sfi_row_words(is.width) - 1;
+            const uint64_t *in = sfi_slice_row(is, y), *out = sfi_slice_row(may, y);
+            uint64_t lost = in[last] & ~out[last] & sfi_tail_mask(is.width);
+            for (size_t i = 0; i < last; i++) {
+                lost |= in[i] & ~out[i];
+            }
+            if (lost != 0) {
+                return 1;
             }
         }
     }

@@ -161,6 +161,10 @@ static sf_status sweep_layer(const key_layers *k, sf_path_map *map, uint32_t z)
         kernels->path_row(keys, codes + (size_t)y * 4 * k->words, below, shape,
                           sfi_slice_row(roots, y), k->shut, k->words);
         set_held(k, site, z, y, keys);
+        // Bits past the width, of which the shape may hold some, are no matter to land on.
+        for (size_t x = site->lattice.nx; x < 64 * k->words; x++) {
+            keys[x] = SFI_PATH_NONE;
+        }
     }
     return SF_OK;
 }
