@@ -5,7 +5,8 @@
 // darkened in cracks, and marched once more for a shadow, each towards another point of a round
 // lamp, which makes the rims of shadows soft. Seen from above, the shape stands on a bed with lines
 // at round distances; seen from below there is no bed, because it would hide what one wants to see.
-// Bands of rows are drawn side by side; no pixel depends on another.
+// Bands of rows are drawn side by side, each from left to right, so that the rays that meet a voxel
+// come close after each other and its surroundings are looked at once; no pixel depends on another.
 
 #include "picture.h"
 
@@ -18,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { RAYS_MAX = 9, BAND = 8 };
+enum { RAYS_MAX = 9, BAND = 4, BANDS = 8, SEEN = 64 };
 #define LAMP 0.045      // radius of the lamp over its distance
 #define BED_MARGIN 0.08 // of the longer side, all around
 
@@ -58,15 +59,17 @@ static int in_shadow(const view *w, const double at[3], int ray)
     return volume_march(&w->volume, at, w->lamp[ray], &blocked);
 }
 
-// Rays of one row meet the same voxels again and again; `last` is the one met last.
-static void look_around(const view *w, hit *h, hit *last)
+// Rays that are close to each other meet the same voxels; `seen` remembers some of those met last,
+// each in a place that goes by where it is.
+static void look_around(const view *w, hit *h, hit *seen)
 {
-    if (last->openness < 0 || h->x != last->x || h->y != last->y || h->z != last->z) {
-        *last = *h;
-        volume_look_around(&w->volume, last);
+    hit *known = &seen[(h->x + 3 * h->y + 23 * h->z) % SEEN];
+    if (known->openness < 0 || h->x != known->x || h->y != known->y || h->z != known->z) {
+        *known = *h;
+        volume_look_around(&w->volume, known);
     }
-    memcpy(h->normal, last->normal, sizeof h->normal);
-    h->openness = last->openness;
+    memcpy(h->normal, known->normal, sizeof h->normal);
+    h->openness = known->openness;
 }
 
 static void shade_matter(const view *w, const double start[3], int ray, const hit *h, double rgb[3])
@@ -111,13 +114,13 @@ static int shade_bed(const view *w, const double start[3], int ray, double rgb[3
     return 1;
 }
 
-static void shade(const view *w, double x, double y, int ray, hit *last, double rgb[3])
+static void shade(const view *w, double x, double y, int ray, hit *seen, double rgb[3])
 {
     double start[3];
     hit h;
     camera_start(&w->camera, x, y, start);
     if (volume_march(&w->volume, start, w->camera.forward, &h)) {
-        look_around(w, &h, last);
+        look_around(w, &h, seen);
         shade_matter(w, start, ray, &h, rgb);
     } else if (!w->has_bed || !shade_bed(w, start, ray, rgb)) {
         rgb[0] = rgb[1] = rgb[2] = 1;
@@ -128,13 +131,13 @@ static void shade(const view *w, double x, double y, int ray, hit *last, double 
 // Pixels
 // ---------------------------------------------------------------------------------------------
 
-static void draw_pixel(const view *w, uint32_t column, uint32_t row, hit *last)
+static void draw_pixel(const view *w, uint32_t column, uint32_t row, hit *seen)
 {
     double sum[3] = {0, 0, 0}, rgb[3];
     int side = w->where.rays;
     for (int i = 0; i < side * side; i++) {
         double dx = (i % side + 0.5) / side, dy = ((double)(i / side) + 0.5) / side;
-        shade(w, column + dx - 0.5 * w->where.width, 0.5 * w->where.height - row - dy, i, last,
+        shade(w, column + dx - 0.5 * w->where.width, 0.5 * w->where.height - row - dy, i, seen,
               rgb);
         for (int c = 0; c < 3; c++) {
             sum[c] += fmin(rgb[c], 1);
@@ -146,32 +149,39 @@ static void draw_pixel(const view *w, uint32_t column, uint32_t row, hit *last)
     }
 }
 
-static void draw_row(void *context, size_t index)
+static void draw_band(void *context, size_t index)
 {
     const view *w = context;
-    hit last = {.openness = -1};
-    uint32_t row = w->first_row + (uint32_t)index;
+    hit seen[SEEN];
+    uint32_t first = w->first_row + (uint32_t)index * BAND;
+    uint32_t end = w->where.height - first < BAND ? w->where.height : first + BAND;
+    for (int i = 0; i < SEEN; i++) {
+        seen[i].openness = -1;
+    }
     for (uint32_t column = 0; column < w->where.width; column++) {
-        draw_pixel(w, column, row, &last);
+        for (uint32_t row = first; row < end; row++) {
+            draw_pixel(w, column, row, seen);
+        }
     }
 }
 
-static sf_status draw_rows(view *w, sf_task *task)
+static sf_status draw_bands(view *w, sf_task *task)
 {
     while (w->first_row < w->where.height) {
-        uint32_t left = w->where.height - w->first_row;
-        size_t count = left < BAND ? left : BAND;
+        uint32_t left = (w->where.height - w->first_row + BAND - 1) / BAND;
+        uint32_t count = left < BANDS ? left : BANDS;
         if (sf_task_is_cancelled(task)) {
             return SF_ERR_CANCELLED;
         }
         if (task->parallel_for != NULL) {
-            task->parallel_for(task->user, count, draw_row, w);
+            task->parallel_for(task->user, count, draw_band, w);
         } else {
-            for (size_t i = 0; i < count; i++) {
-                draw_row(w, i);
+            for (uint32_t i = 0; i < count; i++) {
+                draw_band(w, i);
             }
         }
-        w->first_row += (uint32_t)count;
+        w->first_row += count * BAND;
+        w->first_row = w->first_row < w->where.height ? w->first_row : w->where.height;
         if (task->progress != NULL) {
             task->progress(task->user, (double)w->first_row / w->where.height);
         }
@@ -272,7 +282,7 @@ exit_status picture_paint(cli_job *job, const subject *what, canvas *picture, fr
     }
     progress_phase("drawing");
     set_up(&w, &job->options);
-    sf_status status = draw_rows(&w, &job->task);
+    sf_status status = draw_bands(&w, &job->task);
     volume_destroy(&w.volume);
     *pixel_mm = w.camera.pixel_mm;
     return status == SF_OK ? EXIT_GOOD

@@ -6,14 +6,23 @@
 
 #include <sf/sf.h>
 
+// What a row of voxels around a place holds.
+typedef struct volume_window {
+    int8_t solid,
+        sum; // how many are solid, and the sum of their places, which count from the middle
+} volume_window;
+
 // A grid made ready for rays.
 typedef struct volume {
-    const sf_grid *grid;
     sf_lattice lattice;
+    sf_box bounds;     // of all matter
     double *floors_mm; // bottom of each layer, and the top of the last
-    uint8_t *blocks;   // whether any voxel of a block of 8 x 8 x 8 is solid
+    sf_slice *slices;  // each layer's
+    uint8_t *gaps;     // of each block of 8 x 8 x 8 voxels: how many blocks away the nearest with
+                       // matter is, along the longest of the three axes; 0: it holds some itself
     uint32_t block_nx, block_ny, block_nz;
-    int64_t mirror; // normals see a mirror under this layer; INT64_MIN: nothing
+    volume_window *windows; // for each row of bits
+    int64_t mirror;         // normals see a mirror under this layer; INT64_MIN: nothing
 } volume;
 
 // Where a ray met matter.
