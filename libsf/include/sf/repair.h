@@ -4,8 +4,8 @@
 // Trim only removes, and loses a ball for want of one pillar; grow only adds, and builds a forest
 // under what nobody would miss. A repair weighs the two, voxel by voxel, at prices of the caller's.
 // The least of all repairs is out of reach (a set cover hides in it); what is made here is never
-// dearer than a trim or than keeping everything, and close to the least where that can be known:
-// docs/repair.md has the figures.
+// dearer than a trim or a grow, and close to the least where that can be known: docs/repair.md has
+// the figures.
 
 #ifndef SF_REPAIR_H
 #define SF_REPAIR_H
@@ -72,6 +72,10 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * kept along the same supporters. A support-free shape is left as it is. The result was checked
  * before it was written.
  *
+ * Nor does it cost more than what sf_grid_grow() makes under the same terms, with two exceptions: a
+ * least width or SF_REPAIR_FIRST; and more than 2^26 voxels from the bed up, unless the cost is
+ * more than a 64th of the number of voxels that a trim removes.
+ *
  * With a least width, additions are squares of that width whose chains of squares stand on squares
  * of what is kept; single voxels only where neither fits. Under slack such chains then take only
  * steps that use up no reach.
@@ -92,7 +96,7 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * was.
  * @cost a few sweeps over the grid, 2 bytes for each voxel of the rectangles that the unsupported
  * matter reaches downward (4 under slack), and time by what is unsupported, a reach's area for each
- * voxel of it.
+ * voxel of it; where grow is asked, what that costs.
  * @threads one per grid.
  * @source a library's own; T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for
  * Fabrication", Eurographics 2016, for its two ends, trim and grow.

@@ -26,6 +26,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
+#include "support/repair/against_grow.h"
 #include "support/repair/bridged.h"
 #include "support/repair/improve.h"
 #include "support/repair/price_row.h"
@@ -95,6 +96,7 @@ typedef struct call {
     sf_grid *must, *room, *roots, *result;
     sf_grid *plain_room, *plain_exempt;             // with bridges
     sf_grid *careful_room, *careful_exempt, *start; // under slack
+    sf_grid *grown;                                 // what grow makes, where that is cheaper
     sf_repair_report report;
 } call;
 
@@ -273,6 +275,28 @@ static sf_status prove(const call *c)
     return status;
 }
 
+// No dearer than sf_grid_grow(), and where that was cheaper, improved from there.
+static sf_status hold_against_grow(call *c, const sfi_job *job)
+{
+    sf_terms terms = c->options->terms;
+    sf_repair_report again = {0};
+    int has_bridges = sfi_bridge_any(&terms.rule.bridge);
+    terms.bed_layer = c->ground.bed;
+    uint64_t cost = sfi_job_bill(job, c->result).cost;
+    SF_TRY(sfi_grow_if_cheaper(job, &terms, c->room, cost, &c->grown));
+    if (c->grown == NULL) {
+        return SF_OK;
+    }
+    if (has_bridges) {
+        SF_TRY(sfi_grid_copy(c->result, c->grown));
+        c->report.cost = cost; // there is a result now, if there was none
+        return sfi_bridged_improve(job, &c->full, c->room, c->result, &c->report);
+    }
+    SF_TRY(sfi_improve(job, c->grown, c->options->rounds, &c->result, &again));
+    c->report.rounds += again.rounds;
+    return SF_OK;
+}
+
 static sf_status work(call *c)
 {
     sfi_job job;
@@ -288,6 +312,8 @@ static sf_status work(call *c)
     }
     if (width > 1) {
         SF_TRY(sfi_strut_widen(&job, &c->full, width, c->result, &c->report));
+    } else if (o->rounds != SF_REPAIR_FIRST) {
+        SF_TRY(hold_against_grow(c, &job));
     }
     return prove(c);
 }
@@ -331,6 +357,7 @@ static void call_destroy(call *c)
     sf_grid_destroy(c->careful_room);
     sf_grid_destroy(c->careful_exempt);
     sf_grid_destroy(c->start);
+    sf_grid_destroy(c->grown);
 }
 
 // ---------------------------------------------------------------------------------------------
