@@ -43,6 +43,8 @@ sf_repair_options sf_repair_options_default(void)
 
 // Most that a cost is multiplied by: times 255 it still is a price.
 #define SCALE_MOST 128u
+// Voxels in the air up to which a second search is made.
+#define HANGING_MOST 4000000u
 
 sf_terms sfi_job_terms(const sfi_job *job)
 {
@@ -94,6 +96,7 @@ typedef struct call {
     sf_task *task;
     sfi_progress progress;
     sf_grid *must, *room, *roots, *result;
+    sf_grid *whole, *added;                         // what only adds
     sf_grid *plain_room, *plain_exempt;             // with bridges
     sf_grid *careful_room, *careful_exempt, *start; // under slack
     sf_grid *grown;                                 // what grow makes, where that is cheaper
@@ -260,6 +263,43 @@ static sf_status start_carefully(call *c, const sfi_job *job)
     return SF_OK;
 }
 
+// What is drawn and can be had at all, into `whole`.
+static sf_status find_whole(const call *c, const sfi_job *job, sf_grid *whole)
+{
+    for (uint32_t k = 0; k < job->lattice.nz; k++) {
+        SF_TRY(sf_slice_and(sf_grid_slice(whole, k), sf_grid_slice(c->grid, k),
+                            sf_grid_slice(job->room, k)));
+    }
+    return SF_OK;
+}
+
+// No dearer than what only adds: giving up early what is dear at first leaves the rounds in a
+// valley that they do not climb out of. A second search keeps all that can be had, and where its
+// result is cheaper the rounds go on from there. Shapes with very much in the air are spared that.
+static sf_status hold_against_adding(call *c, const sfi_job *job)
+{
+    sfi_job adding = *job;
+    sf_repair_report report = {0}, again = {0};
+    uint64_t hanging = sf_grid_popcount(c->grid) - sf_grid_popcount(c->roots);
+    if (c->options->rounds == SF_REPAIR_FIRST || hanging > HANGING_MOST) {
+        return SF_OK;
+    }
+    SF_TRY(new_grid(c, &c->whole));
+    SF_TRY(new_grid(c, &c->added));
+    SF_TRY(find_whole(c, &adding, c->whole));
+    adding.must = c->whole;
+    SF_TRY(sfi_improve(&adding, NULL, c->options->rounds, &c->added, &report));
+    if (report.cost == SF_REPAIR_NO_COST ||
+        (c->report.cost != SF_REPAIR_NO_COST &&
+         sfi_job_bill(job, c->added).cost >= sfi_job_bill(job, c->result).cost)) {
+        return SF_OK;
+    }
+    SF_TRY(sfi_improve(job, c->added, c->options->rounds, &c->result, &again));
+    c->report.cost = again.cost;
+    c->report.rounds += report.rounds + again.rounds;
+    return SF_OK;
+}
+
 // Whether the result is support-free under the full rule, holds P and lies in G.
 static sf_status prove(const call *c)
 {
@@ -306,6 +346,7 @@ static sf_status work(call *c)
     SF_TRY(make_job(c, &job));
     SF_TRY(start_carefully(c, &job));
     SF_TRY(sfi_improve(&job, c->start, o->rounds, &c->result, &c->report));
+    SF_TRY(hold_against_adding(c, &job));
     job.scale = 1;
     if (has_bridges && (o->rounds != SF_REPAIR_FIRST || c->report.cost == SF_REPAIR_NO_COST)) {
         SF_TRY(sfi_bridged_improve(&job, &c->full, c->room, c->result, &c->report));
@@ -358,6 +399,8 @@ static void call_destroy(call *c)
     sf_grid_destroy(c->careful_exempt);
     sf_grid_destroy(c->start);
     sf_grid_destroy(c->grown);
+    sf_grid_destroy(c->whole);
+    sf_grid_destroy(c->added);
 }
 
 // ---------------------------------------------------------------------------------------------
