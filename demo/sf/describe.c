@@ -69,14 +69,17 @@ static void report_rule(report *r, const part *p, const sf_lattice *lattice,
 
 static void say_part(report *r, const part *p, const sf_lattice *lattice, const cli_options *asked)
 {
-    char rule[64] = "";
+    char rule[96] = "", bridges[48] = "";
+    if (asked->bridge_mm[0] > 0) {
+        snprintf(bridges, sizeof bridges, ", bridges up to %g mm", asked->bridge_mm[0]);
+    }
     if (!p->has_rule) {
         // slicing alone needs no rule
     } else if (p->rule.kind == SF_RULE_BOX3) {
-        snprintf(rule, sizeof rule, ", rule box3");
+        snprintf(rule, sizeof rule, ", rule box3%s", bridges);
     } else {
-        snprintf(rule, sizeof rule, ", overhangs up to %g degrees (%s)", values_angle_deg(asked),
-                 sf_rule_kind_name(p->rule.kind));
+        snprintf(rule, sizeof rule, ", overhangs up to %g degrees (%s)%s", values_angle_deg(asked),
+                 sf_rule_kind_name(p->rule.kind), bridges);
     }
     report_say(r, "%s: %u x %u x %u voxels of %.4g x %.4g x %.4g mm%s",
                asked->input != NULL ? asked->input : "scene:garden", lattice->nx, lattice->ny,

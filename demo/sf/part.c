@@ -9,6 +9,7 @@
 #include "upright.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -98,10 +99,36 @@ static exit_status read_mesh(cli_job *job, part *p)
     return status == EXIT_GOOD ? place(job, p) : status;
 }
 
-// A stack carries its lattice, and the rule and the bed that it was made for.
-static exit_status read_stack(cli_job *job, part *p)
+// A stack carries the rule, the bridges and the bed that it was made for. Options take their
+// places:
+// --rule and --angle that of the rule, --bridge that of the bridges. Bridges say what a printer can
+// do at any angle, so they stay under another rule; but not without a word.
+static void take_rule(cli_job *job, part *p, const sf_stack_info *info)
 {
     cli_options *asked = &job->options;
+    p->bed_layer = info->bed_layer;
+    p->own_rule = (asked->given & (OPTION_RULE | OPTION_ANGLE)) == 0;
+    p->own_bridges = (asked->given & OPTION_BRIDGE) == 0;
+    if (p->own_rule) {
+        asked->rule = info->rule;
+        asked->angle_rad = info->angle_rad;
+    }
+    if (p->own_bridges) {
+        asked->bridge_mm[0] = info->bridge_span_mm;
+        asked->bridge_mm[1] = info->bridge_anchor_mm;
+    }
+    if (!p->own_rule && p->own_bridges && info->bridge_span_mm > 0) {
+        job_warn(job,
+                 "The stack's bridges of up to %g mm stay beside the rule that was asked for; "
+                 "--bridge 0 leaves them out.",
+                 info->bridge_span_mm);
+    }
+}
+
+// A stack carries its own lattice too.
+static exit_status read_stack(cli_job *job, part *p)
+{
+    const cli_options *asked = &job->options;
     sf_fault fault = {SF_OK, 0, 0, ""};
     sf_directory *directory = NULL;
     sf_stack_info info;
@@ -122,15 +149,7 @@ static exit_status read_stack(cli_job *job, part *p)
         return job_fail_call(job, status, &fault, asked->input, EXIT_INPUT);
     }
     if (info.has_rule) {
-        p->bed_layer = info.bed_layer;
-        if ((asked->given & (OPTION_RULE | OPTION_ANGLE)) == 0) {
-            asked->rule = info.rule;
-            asked->angle_rad = info.angle_rad;
-        }
-        if ((asked->given & OPTION_BRIDGE) == 0) {
-            asked->bridge_mm[0] = info.bridge_span_mm;
-            asked->bridge_mm[1] = info.bridge_anchor_mm;
-        }
+        take_rule(job, p, &info);
     }
     return EXIT_GOOD;
 }
@@ -263,6 +282,16 @@ static void choose_rule(cli_job *job, const sf_lattice *lattice)
     }
 }
 
+// A rule that cannot be: the command line's fault, or that of the stack that brought it.
+static exit_status refuse_rule(cli_job *job, sf_status status, const sf_fault *fault, int is_own,
+                               const char *option, const char *field)
+{
+    char subject[sizeof job->message];
+    snprintf(subject, sizeof subject, "%.400s: stack.json: %s", job->options.input, field);
+    return is_own ? job_fail_call(job, status, fault, subject, EXIT_INPUT)
+                  : job_fail_call(job, status, fault, option, EXIT_USAGE);
+}
+
 exit_status part_make_rule(cli_job *job, part *p)
 {
     sf_lattice lattice = sf_grid_lattice(p->grid);
@@ -278,12 +307,13 @@ exit_status part_make_rule(cli_job *job, part *p)
     sf_status status = sf_rule_make(job->options.rule, job->options.angle_rad, &lattice, p->table,
                                     &p->rule, &fault);
     if (status != SF_OK) {
-        return job_fail_call(job, status, &fault, sf_rule_kind_name(job->options.rule), EXIT_USAGE);
+        return refuse_rule(job, status, &fault, p->own_rule, sf_rule_kind_name(job->options.rule),
+                           "rule");
     }
     status = sf_rule_set_bridges(&p->rule, job->options.bridge_mm[0], job->options.bridge_mm[1],
                                  &lattice, &fault);
     if (status != SF_OK) {
-        return job_fail_call(job, status, &fault, "--bridge", EXIT_USAGE);
+        return refuse_rule(job, status, &fault, p->own_bridges, "--bridge", "bridge_mm");
     }
     p->has_rule = 1;
     return choose_bed(job, p, &lattice);

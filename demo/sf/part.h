@@ -13,10 +13,11 @@ typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE } part_kind;
 
 typedef struct part {
     part_kind kind;
-    sf_mesh *mesh;         // in build axes (z up) and mm; NULL unless read from a mesh
-    sf_transform to_build; // from the axes and unit of the input to build axes and mm
-    sf_grid *grid;         // NULL until part_voxelize()
-    int has_rule;          // whether part_make_rule() was called
+    sf_mesh *mesh;             // in build axes (z up) and mm; NULL unless read from a mesh
+    sf_transform to_build;     // from the axes and unit of the input to build axes and mm
+    sf_grid *grid;             // NULL until part_voxelize()
+    int own_rule, own_bridges; // whether these are the stack's, and not of the command line
+    int has_rule;              // whether part_make_rule() was called
     sf_rule rule;
     uint64_t *table;    // the rule's numbers
     uint32_t bed_layer; // SF_BED_AUTO unless --bed was given or the stack names one

@@ -8,6 +8,8 @@
 
 #include <stdlib.h>
 
+#define RULE_GIVEN (OPTION_RULE | OPTION_ANGLE | OPTION_BRIDGE | OPTION_BED)
+
 // What a layer holds; `components` is UINT32_MAX where there was no memory to count them.
 typedef struct layer_count {
     uint64_t voxels;
@@ -94,8 +96,10 @@ static exit_status slice(cli_job *job, part *p)
 {
     layer_count *counts = NULL;
     exit_status status = part_voxelize(job, p);
-    if (status == EXIT_GOOD && (job->options.given & (OPTION_RULE | OPTION_ANGLE))) {
-        status = part_make_rule(job, p); // slicing needs none; the stack carries it
+    // Slicing needs no rule; the stack that is written carries what was said of one, or what the
+    // stack that was read says.
+    if (status == EXIT_GOOD && (p->own_rule || (job->options.given & RULE_GIVEN))) {
+        status = part_make_rule(job, p);
     }
     if (status != EXIT_GOOD) {
         return status;
@@ -111,6 +115,7 @@ static exit_status slice(cli_job *job, part *p)
         report_say(job->report, "%llu solid voxels, %s.",
                    (unsigned long long)sf_grid_popcount(p->grid),
                    describe_mm3(describe_volume(p->grid), volume));
+        report_number(job->report, "seconds", job_seconds(job));
         say_where(job);
     }
     free(counts);

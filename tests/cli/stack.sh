@@ -1,5 +1,7 @@
 # Why: a stack that is read and written again is the same bytes, its angle too: radians are what is
 # kept, and degrees, for people, are made from them and never turned back.
+# Its rule, bridges and bed come with it, until an option takes the place of one; and where they
+# cannot be, the stack is at fault, and named.
 . "$1"
 needs_json
 
@@ -13,4 +15,41 @@ for angle in 5 6 9.2 12 18.1 24 33.3 42.4 45 48 52.5 57 66.6 72.4 81.4 85; do
     same "$(value rule.angle_deg)" $angle "in the report too"
     rm -rf one two
 done
+
+exits 0 slice scene:garden --resolution 64 --rule slack --angle 50 --bridge 8,1.5 -o drawn
+grep -q 'bridges up to 8 mm' stdout
+ok $? "what may be bridged is said"
+exits 0 slice drawn -o again
+diff -r drawn again >stdout 2>stderr
+ok $? "slicing a stack keeps its rule"
+run check drawn --json
+same "$(value rule.kind) $(value rule.bridge_mm.0)" "slack 8" "a stack is judged by what it brings"
+for option in "--rule slack" "--angle 50"; do
+    # shellcheck disable=SC2086
+    exits 1 check drawn $option
+    grep -q 'bridges of up to 8 mm stay' stderr && grep -q 'bridges up to 8 mm' stdout
+    ok $? "$option leaves the bridges, and says so"
+    # shellcheck disable=SC2086
+    exits 1 check drawn $option --bridge 0
+    ! grep -q 'bridges' stderr && ! grep -q 'bridges' stdout
+    ok $? "but for --bridge 0"
+done
+exits 0 slice scene:garden --resolution 32 --bridge 9 --bed -9 -o told
+same "$(value rule.bridge_mm.0 told/stack.json) $(value rule.bed_layer told/stack.json)" "9 0" \
+    "bridges and bed alone are kept too"
+
+for change in 's/"bridge_mm": \[8,/"bridge_mm": [1e9,/' 's/"kind": "slack"/"kind": "disk"/'; do
+    rm -rf bent
+    cp -R drawn bent
+    # A disk on these layers reaches too little at 20 degrees.
+    sed -e "$change" -e '/disk/,$s/"angle_rad": .*/"angle_rad": 0.34906585039886590,/' \
+        drawn/stack.json >bent/stack.json
+    exits 3 check bent
+    grep -q '^sf: bent: stack.json: ' stderr && ! grep -q -- '--bridge' stderr
+    ok $? "the stack is named: $(cat stderr)"
+    exits 1 check bent --angle 45 --bridge 8
+done
+exits 2 check drawn --bridge 1e9
+grep -q '^sf: --bridge: ' stderr
+ok $? "an option is named where it is at fault"
 finish
