@@ -15,14 +15,18 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+#ifndef _WIN32
+#include <sys/ioctl.h>
+#endif
 
-enum { BAR_WIDTH = 30 };
+enum { BAR_WIDTH = 30, FIGURES_WIDTH = 26 }; // " [", "] 100 %, 99999999 s left", the cursor
 
 static struct {
     sf_task *task;
     pool *pool;
     int visible; // whether standard error is a terminal that may be drawn on
     int drawn;   // whether a bar stands there
+    int columns; // of the terminal
     const char *phase;
     double begun, last; // seconds
 } state;
@@ -43,6 +47,24 @@ static void wipe(void)
     }
 }
 
+static int columns_of_terminal(void)
+{
+#ifdef TIOCGWINSZ
+    struct winsize size;
+    if (ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+        return size.ws_col;
+    }
+#endif
+    return 80;
+}
+
+// A line that wraps could not be wiped, so a bar that has no room for itself is shorter.
+static int bar_width(void)
+{
+    int room = state.columns - (int)strlen(state.phase) - FIGURES_WIDTH;
+    return room < 0 ? 0 : room < BAR_WIDTH ? room : BAR_WIDTH;
+}
+
 static void draw(void *user, double fraction)
 {
     double now = seconds(), elapsed = now - state.begun;
@@ -51,12 +73,13 @@ static void draw(void *user, double fraction)
         return;
     }
     char bar[BAR_WIDTH + 1];
-    int full = (int)(fraction * BAR_WIDTH);
-    for (int i = 0; i < BAR_WIDTH; i++) {
+    int width = bar_width(), full = (int)(fraction * width);
+    for (int i = 0; i < width; i++) {
         bar[i] = i < full ? '#' : '.';
     }
-    bar[BAR_WIDTH] = '\0';
-    fprintf(stderr, "\r\033[K%s [%s] %3d %%", state.phase, bar, (int)(100 * fraction));
+    bar[width] = '\0';
+    fprintf(stderr, width > 0 ? "\r\033[K%s [%s] %3d %%" : "\r\033[K%s%s %3d %%", state.phase, bar,
+            (int)(100 * fraction));
     double left = fraction > 0.02 && elapsed > 2 ? elapsed * (1 - fraction) / fraction : 0;
     if (left > 0.5) {
         fprintf(stderr, ", %.0f s left", left);
@@ -97,6 +120,7 @@ void progress_phase(const char *name)
     wipe();
     state.phase = name;
     state.begun = seconds();
+    state.columns = state.visible ? columns_of_terminal() : 80;
     state.last = 0;
 }
 
