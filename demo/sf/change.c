@@ -256,18 +256,21 @@ static void say_preserved(report *r, const change *made, const char *taken)
         report_say(r, "Removing took %s away, and nothing outside of --remove.", taken);
     }
     if (made->support_free) {
-        report_say(r, "What is left prints without supports.");
+        report_say(r, made->after_mm3 > 0 ? "What is left prints without supports."
+                                          : "Nothing is left.");
         return;
     }
-    char resting[64] = "";
+    char hung[DESCRIBE_MM3_SIZE], more[DESCRIBE_MM3_SIZE], resting[96] = "";
+    double voxel_mm3 = place_voxel_mm3(made->after);
     if (made->hanging_voxels > made->accepted_voxels) {
-        snprintf(resting, sizeof resting, ", and %llu more rest on them alone now",
-                 (unsigned long long)(made->hanging_voxels - made->accepted_voxels));
+        double added = (double)(made->hanging_voxels - made->accepted_voxels);
+        snprintf(resting, sizeof resting, ", and %s more rest on that alone now",
+                 describe_mm3(added * voxel_mm3, more));
     }
     report_say(r,
-               "%llu voxels hung before and were accepted: they hang still%s. Everything else "
-               "prints without supports.",
-               (unsigned long long)made->accepted_voxels, resting);
+               "%s hung before and were accepted: they hang still%s. Everything else prints "
+               "without supports.",
+               describe_mm3((double)made->accepted_voxels * voxel_mm3, hung), resting);
 }
 
 void change_say(report *r, const change *made)
@@ -281,6 +284,8 @@ void change_say(report *r, const change *made)
         say_preserved(r, made, taken);
     } else if (made->removed_voxels + made->added_voxels == 0) {
         report_say(r, "It prints without supports as it is; nothing was changed.");
+    } else if (!(made->after_mm3 > 0)) {
+        report_say(r, "Nothing is left: all of it hangs in the air.");
     } else if (made->operation == SF_OPERATION_TRIM) {
         report_say(r, "Trimming took %s away (%.3g %%) and left %s, which print without supports.",
                    taken, share * made->removed_mm3, left);

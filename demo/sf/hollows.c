@@ -6,6 +6,7 @@
 
 #include "hollows.h"
 
+#include "describe.h"
 #include "place.h"
 #include "progress.h"
 
@@ -89,15 +90,17 @@ static const sf_void *next_trap(const hollows *h, const sf_void *last)
 static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, double voxel_mm3)
 {
     const sf_void *v = next_trap(h, NULL);
-    report_say(
-        r, "%llu void%s shut, %.4g mm3: what is in %s cannot leave.",
-        (unsigned long long)h->counts.trap_count, h->counts.trap_count == 1 ? " is" : "s are",
-        (double)h->counts.trap_voxels * voxel_mm3, h->counts.trap_count == 1 ? "it" : "them");
+    char together[DESCRIBE_MM3_SIZE];
+    report_say(r, "%llu void%s shut, %s: what is in %s cannot leave.",
+               (unsigned long long)h->counts.trap_count,
+               h->counts.trap_count == 1 ? " is" : "s are",
+               describe_mm3((double)h->counts.trap_voxels * voxel_mm3, together),
+               h->counts.trap_count == 1 ? "it" : "them");
     for (int i = 0; i < VOIDS_SAID && v != NULL; i++, v = next_trap(h, v)) {
-        double low[3], high[3];
-        place_of_box(lattice, &v->box, low, high);
-        report_say(r, "  %-8s from z = %7.2f mm, x %.1f to %.1f, y %.1f to %.1f: %.4g mm3%s",
-                   "trap", low[2], low[0], high[0], low[1], high[1], (double)v->volume * voxel_mm3,
+        char where[PLACE_WORDS_SIZE], volume[DESCRIBE_MM3_SIZE];
+        place_words(lattice, &v->box, 1, where);
+        report_say(r, "  %-8s from %s: %s%s", "trap", where,
+                   describe_mm3((double)v->volume * voxel_mm3, volume),
                    is_on_bed(h, v) ? ", until the part is off the bed" : "");
     }
 }

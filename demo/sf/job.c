@@ -46,6 +46,9 @@ exit_status job_fail_call(cli_job *job, sf_status status, const sf_fault *fault,
     } else if (why[0] != '\0' && fault->offset > 0) {
         snprintf(place, sizeof place, ", byte %llu", (unsigned long long)fault->offset);
     }
+    if (why[0] == '\0' && status == SF_ERR_IO && status_input == EXIT_RESOURCE) {
+        why = "it could not be written whole; is there room on the disk?";
+    }
     if (strstr(why, subject) != NULL) { // the sentence names it already
         return job_fail(job, exit_of(status, status_input), "%s", why);
     }

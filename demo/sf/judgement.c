@@ -160,41 +160,20 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
 // Sentences
 // ---------------------------------------------------------------------------------------------
 
-// Digits after the point that tell one voxel from the next.
-static int digits_for(double pitch_mm, int least)
-{
-    int digits = least;
-    for (double step = pow(10, -least); step > pitch_mm && digits < 9; step /= 10) {
-        digits++;
-    }
-    return digits;
-}
-
-// What rounds to nothing is nothing, and not less.
-static double rounded(double value, int digits)
-{
-    return fabs(value) < 0.5 * pow(10, -digits) ? 0.0 : value;
-}
-
 static void say_finding(report *r, const sf_lattice *lattice, const judgement *j, size_t index,
                         double voxel_mm3)
 {
     const sf_finding *f = &j->findings[index];
     uint64_t grow = j->costs[index].grow_voxels;
     char fix[64] = "";
-    double low[3], high[3];
-    char volume[DESCRIBE_MM3_SIZE], below[DESCRIBE_MM3_SIZE];
+    char where[PLACE_WORDS_SIZE], volume[DESCRIBE_MM3_SIZE], below[DESCRIBE_MM3_SIZE];
     if (grow != SF_COST_NONE) {
         snprintf(fix, sizeof fix, "; %s below would hold it",
                  describe_mm3((double)grow * voxel_mm3, below));
     }
-    place_of_box(lattice, &f->box, low, high);
-    int x = digits_for(lattice->pitch_x_mm, 1), y = digits_for(lattice->pitch_y_mm, 1);
-    int z = digits_for(sf_lattice_layer_height(lattice, f->layer), 2);
-    report_say(r, "  %-8s from z = %*.*f mm, x %.*f to %.*f, y %.*f to %.*f: %s cannot print%s",
-               kind_name(f->kind), z + 5, z, rounded(sf_lattice_layer_bottom(lattice, f->layer), z),
-               x, rounded(low[0], x), x, rounded(high[0], x), y, rounded(low[1], y), y,
-               rounded(high[1], y), describe_mm3((double)f->volume * voxel_mm3, volume), fix);
+    place_words(lattice, &f->box, 1, where);
+    report_say(r, "  %-8s from %s: %s cannot print%s", kind_name(f->kind), where,
+               describe_mm3((double)f->volume * voxel_mm3, volume), fix);
 }
 
 // The findings that cost most to fix, one by one, and the others in one line.

@@ -58,6 +58,12 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
     lattice->origin_mm[0] = low_mm[0] - pitch_mm[0];
     lattice->origin_mm[1] = low_mm[1] - pitch_mm[1];
     lattice->origin_mm[2] = low_mm[2] - below * pitch_mm[2];
+    if (sf_lattice_validate(lattice) != SF_OK) {
+        return job_fail(job, EXIT_USAGE,
+                        "Voxels of %g x %g x %g mm are no size for a part of %g x %g x %g mm; "
+                        "check --pitch, --size, --scale and --units.",
+                        pitch_mm[0], pitch_mm[1], pitch_mm[2], size_mm[0], size_mm[1], size_mm[2]);
+    }
     return lattice_check_memory(job, lattice);
 }
 

@@ -115,6 +115,12 @@ int main(int argc, char **argv)
         return EXIT_GOOD;
     }
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+        for (int i = 0; argc == 3 && i < verbs_count; i++) {
+            if (strcmp(verbs_table[i].verb.name, argv[2]) == 0) {
+                options_help(&verbs_table[i].verb, stdout);
+                return EXIT_GOOD;
+            }
+        }
         help(argc > 1 ? stdout : stderr);
         return argc > 1 ? EXIT_GOOD : EXIT_USAGE;
     }

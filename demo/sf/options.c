@@ -19,9 +19,11 @@ typedef struct option_entry {
 
 static const option_entry table[] = {
     {OPTION_OUTPUT, "output", 'o', "OUT", "where the result goes"},
-    {OPTION_RESOLUTION, "resolution", 0, "N", "voxels on the longest side (default 256)"},
+    {OPTION_RESOLUTION, "resolution", 0, "N",
+     "voxels on the longest side, 1 to 65533 (default 256)"},
     {OPTION_PITCH, "pitch", 0, "PX[,PY[,LAYER]]", "voxel size in mm instead of a resolution"},
-    {OPTION_ANGLE, "angle", 0, "DEG", "overhang from the vertical that still prints (default 45)"},
+    {OPTION_ANGLE, "angle", 0, "DEG",
+     "overhang that still prints, 5 to 85 from the vertical (default 45)"},
     {OPTION_RULE, "rule", 0, "RULE",
      "octagon (default; slack on oblong pixels), slack, disk, or box3, which takes no angle"},
     {OPTION_BRIDGE, "bridge", 0, "MM[,ANCHOR]", "gaps that may be spanned between two held ends"},
@@ -30,7 +32,7 @@ static const option_entry table[] = {
     {OPTION_FORBID, "forbid", 0, "MESH", "nothing is added in there"},
     {OPTION_REMOVE, "remove", 0, "MESH", "what is to go, but for what carries the rest"},
     {OPTION_MODE, "mode", 0, "MODE",
-     "fast (default), irredundant: keep no more than must be, or core: keep it thick"},
+     "fast (default), irredundant (keep the least) or core (keep it thick)"},
     {OPTION_MIN_FEATURE, "min-feature", 0, "MM", "added matter is that wide, where there is room"},
     {OPTION_STEEPEST, "steepest", 0, NULL, "also look for the steepest overhang"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
@@ -39,11 +41,12 @@ static const option_entry table[] = {
     {OPTION_SIZE, "size", 0, "MM", "make the longest side MM long"},
     {OPTION_BED, "bed", 0, "Z", "height of the bed in mm (default: where the part begins)"},
     {OPTION_FILL, "fill", 0, "WAY", "what is inside: auto (default), parity, winding, surface"},
-    {OPTION_SMOOTH, "smooth", 0, "N", "passes of smoothing over a written mesh (default 0)"},
+    {OPTION_SMOOTH, "smooth", 0, "N",
+     "passes of smoothing over a written mesh, 0 to 100 (default 0)"},
     {OPTION_VIEW, "view", 0, "AZ,EL", "degrees around and above, or iso, below, front, side, top"},
-    {OPTION_PIXELS, "pixels", 0, "W,H", "size of the picture (default 1200,900)"},
-    {OPTION_COUNT, "count", 0, "N", "how many answers to give (default 5)"},
-    {OPTION_THREADS, "threads", 0, "N", "threads to use (default: all processors)"},
+    {OPTION_PIXELS, "pixels", 0, "W,H", "size of the picture, 64 to 16384 each (default 1200,900)"},
+    {OPTION_COUNT, "count", 0, "N", "how many answers to give, 1 to 1000 (default 5)"},
+    {OPTION_THREADS, "threads", 0, "N", "threads to use, 1 to 1024 (default: all processors)"},
     {OPTION_MEMORY, "memory", 0, "MIB", "most memory for one grid, in MiB (default 4096)"},
     {OPTION_JSON, "json", 0, NULL, "one JSON object on standard output"},
     {OPTION_QUIET, "quiet", 'q', NULL, "no progress bar"},
@@ -83,7 +86,7 @@ static int take_option(const cli_verb *verb, int index, cli_options *made, char 
     } else if (entry->bit == OPTION_STEEPEST) {
         made->steepest = 1;
     } else if (!values_parse(entry->bit, optarg, made)) {
-        snprintf(message, size, "--%s wants %s, and '%s' will not do (%s)", entry->name,
+        snprintf(message, size, "--%s wants %s, and '%s' will not do: %s", entry->name,
                  entry->argument, optarg, entry->help);
         return -1;
     }
@@ -159,6 +162,10 @@ int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made
         if (code == HELP || code == 'h') {
             return 1;
         }
+        if (code == '?' && optopt > HELP) {
+            snprintf(message, message_size, "--%s takes no value", table[place_of(optopt)].name);
+            return -1;
+        }
         if (code == '?') {
             snprintf(message, message_size, "there is no option '%s'; 'sf %s --help' lists them",
                      seen, verb->name);
@@ -198,12 +205,14 @@ void options_help(const cli_verb *verb, FILE *to)
                 table[i].bit == OPTION_OUTPUT ? verb->output : table[i].help);
     }
     fprintf(to, "  %-29s %s\n\nexamples:\n%s", "-h, --help", "this text", verb->examples);
-    fputs(
-        verb->takes & OPTION_RESOLUTION
-            ? "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that sf "
-              "wrote,\nor scene:garden, a scene that the program makes itself.\n"
-            : "\nA FILE is an STL, OBJ, PLY or OFF mesh.\n",
-        to);
+    fputs(strcmp(verb->input, "MESH") == 0
+              ? "\nA MESH is an STL, OBJ, PLY or OFF file.\n"
+              : "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that "
+                "sf wrote,\nor scene:garden, a scene that the program makes itself.\n",
+          to);
+    if (verb->takes & OPTION_BRIDGE) {
+        fputs("A stack brings its own rule, bridges and bed; options take their places.\n", to);
+    }
     fputs("\nexit status: 0 good, 1 the asked property was not reached, 2 usage, 3 bad input,"
           "\n4 out of memory or disk, 130 cancelled\n",
           to);

@@ -7,23 +7,20 @@
 #include "progress.h"
 #include "verbs.h"
 
-#include <stdio.h>
-
 #define DEGREES (180 / 3.14159265358979323846)
 
-static void say_steepest(report *r, const sf_steepest *s, const double low[3], const double high[3])
+static void say_steepest(report *r, const sf_lattice *lattice, const sf_steepest *s)
 {
-    char where[128];
-    snprintf(where, sizeof where, "at z = %.2f mm, x %.1f to %.1f, y %.1f to %.1f", low[2], low[0],
-             high[0], low[1], high[1]);
+    char where[PLACE_WORDS_SIZE];
+    place_words(lattice, &s->box, 0, where);
     if (!s->is_bounded) {
-        report_say(r, "It would print at no angle: even at %.0f degrees something hangs %s.",
+        report_say(r, "It would print at no angle: even at %.0f degrees something hangs at %s.",
                    s->angle_rad * DEGREES, where);
     } else if (s->layer == SF_BED_AUTO) {
         report_say(r, "Nothing of it leans by more than %.1f degrees from the vertical.",
                    s->angle_rad * DEGREES);
     } else {
-        report_say(r, "Its steepest overhang is %.1f degrees from the vertical, %s.",
+        report_say(r, "Its steepest overhang is %.1f degrees from the vertical, at %s.",
                    s->angle_rad * DEGREES, where);
     }
 }
@@ -51,7 +48,7 @@ static exit_status look_for_steepest(cli_job *job, const part *p)
         report_numbers(r, "high", high, 3);
         report_end(r);
     }
-    say_steepest(r, &s, low, high);
+    say_steepest(r, &lattice, &s);
     return EXIT_GOOD;
 }
 

@@ -178,6 +178,9 @@ exit_status verb_info(cli_job *job)
     if (status == EXIT_GOOD) {
         status = p.kind == PART_MESH ? examine(job, &p) : examine_grid(job, &p);
     }
+    if (status == EXIT_GOOD) {
+        report_number(job->report, "seconds", job_seconds(job));
+    }
     part_release(&p);
     return status;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sf orient: which way up does it print best, and why?
 
+#include "describe.h"
 #include "output.h"
 #include "progress.h"
 #include "values.h"
@@ -83,17 +84,25 @@ static void name_direction(const double up[3], char *words, size_t size)
     snprintf(words, size, "(%.3f, %.3f, %.3f)", up[0], up[1], up[2]);
 }
 
+// A whole number of degrees.
+static void describe_degrees(double radians, char words[32])
+{
+    double degrees = floor(radians * DEGREES + 0.5);
+    snprintf(words, 32, "%.0f degree%s", degrees, degrees == 1 ? "" : "s");
+}
+
 // What became of it that way up, as the end of a sentence.
 static void describe(const sf_orientation *o, char *words, size_t size)
 {
     char lost[96] = "all of it prints without supports", stands[64] = "it falls over";
+    char volume[DESCRIBE_MM3_SIZE], tipped[32];
     if (o->trimmed_voxels > 0) {
-        snprintf(lost, sizeof lost, "%.4g mm3 (%.2g %%) cannot print", o->trimmed_mm3,
-                 100 * share(o));
+        snprintf(lost, sizeof lost, "%s (%.3g %%) cannot print",
+                 describe_mm3(o->trimmed_mm3, volume), 100 * share(o));
     }
     if (o->margin_rad > 0) {
-        snprintf(stands, sizeof stands, "it stands until tipped by %.0f degrees",
-                 o->margin_rad * DEGREES);
+        describe_degrees(o->margin_rad, tipped);
+        snprintf(stands, sizeof stands, "it stands until tipped by %s", tipped);
     }
     snprintf(words, size, "%s, it is %.4g mm high, and %s", lost, o->height_mm, stands);
 }
@@ -111,7 +120,7 @@ static void say(cli_job *job, const answer *a)
 {
     report *r = job->report;
     const sf_orientation *best = &a->best[0];
-    char words[256], up[64];
+    char words[256], up[64], turned[32];
     describe(&a->given, words, sizeof words);
     report_say(r, "%s, as it is: %s.", job->options.input, words);
     if (best->up[2] == 1) {
@@ -119,8 +128,9 @@ static void say(cli_job *job, const answer *a)
     } else {
         name_direction(best->up, up, sizeof up);
         describe(best, words, sizeof words);
-        report_say(r, "Best: turn it by %.0f degrees so that its %s points up; %s.",
-                   acos(fmax(-1, fmin(1, best->up[2]))) * DEGREES, up, reason(best, &a->given));
+        describe_degrees(acos(fmax(-1, fmin(1, best->up[2]))), turned);
+        report_say(r, "Best: turn it by %s so that its %s points up; %s.", turned, up,
+                   reason(best, &a->given));
         report_say(r, "Then %s.", words);
     }
     for (size_t i = 1; i < a->count; i++) {

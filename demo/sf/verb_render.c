@@ -31,6 +31,7 @@ static exit_status draw(cli_job *job, const part *p)
     if (status == EXIT_GOOD) {
         report_count(job->report, "removed_voxels", done.removed_voxels);
         report_number(job->report, "scale_bar_mm", bar_mm);
+        report_number(job->report, "seconds", job_seconds(job));
         report_text(job->report, "output", job->options.output);
         report_say(job->report, "Drawn to %s; the bar is %g mm long.", job->options.output, bar_mm);
     }

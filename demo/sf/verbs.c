@@ -62,7 +62,7 @@ const verb_entry verbs_table[] = {
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
       "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},
      verb_slice},
-    {{"orient", "which way up does it print best, and why?", "FILE", 0,
+    {{"orient", "which way up does it print best, and why?", "MESH", 0,
       OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |
           OPTION_ANGLE | OPTION_RULE | HOST_OPTIONS | OPTION_OUTPUT | OPTION_COUNT,
       "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n",

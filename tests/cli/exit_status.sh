@@ -8,6 +8,7 @@ says_one_line() {
     ok $? "one sentence, and nothing on standard output: $(cat stderr)"
 }
 
+box box.obj 0 0 0 10 10 10
 for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "check x --angle 4.9" \
     "check x --pitch 0" "check x --pitch 1,2,3,4" "check x --pitch 1 --resolution 9" \
     "check x --resolution 0" "check x --resolution 2.5" "check x --up w" "check x --units ft" \
@@ -23,7 +24,9 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "repair scene:garden --resolution 24 --min-feature 1e6" "grow x --angle nan" \
     "repair x --angle -45" "preserve x --remove y --angle 1e300" "grow x --bridge nan" \
     "grow x --bridge -1" "repair x --bridge 1,-1" "grow x --bridge 1,2,3" "trim x --steepest" \
-    "grow scene:garden --resolution 24 --bridge 1e9" "repair x --keep" "check x --bridge inf"; do
+    "grow scene:garden --resolution 24 --bridge 1e9" "repair x --keep" "check x --bridge inf" \
+    "check x --resolution 65534" "check x --json=3" "check scene:garden --pitch 1e300" \
+    "check box.obj --size 1e30" "check box.obj --pitch 1e300"; do
     # shellcheck disable=SC2086
     exits 2 $arguments
     says_one_line

@@ -15,7 +15,11 @@ for verb in run info check trim grow repair preserve slice orient render; do
     ok $? "$verb --help has examples"
     says=no
     grep -q 'stack of pictures that sf' stdout && says=yes
-    same $says "$([ $verb = info ] && echo no || echo yes)" "$verb --help says what a FILE is"
+    same $says "$([ $verb = orient ] && echo no || echo yes)" "$verb --help says whether it takes more than meshes"
+    cp stdout asked
+    run help $verb
+    cmp -s stdout asked
+    ok $? "sf help $verb says the same"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
         info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;

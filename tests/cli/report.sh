@@ -48,6 +48,10 @@ run check shut.obj --pitch 1 --json
 same "$(value voids.traps) $(value voids.cups) $(value voids.trap_voxels)" "1 0 1000" "a trap is named"
 same "$(value voids.list.0.kind) $(value voids.list.0.area_mm2)" "trap 100" "and how wide it is"
 same "$(value voids.list.0.low_mm.2) $(value voids.list.0.high_mm.2)" "5 15" "and where"
+hollow 15 | awk '$1 == "v" { $4 -= 5.0000001 } { print }' >sunk.obj
+run check sunk.obj --pitch 1
+grep -q 'trap .* z = *0\.00 mm' stdout
+ok $? "and in a sentence, without a minus where there is nothing to subtract"
 hollow 20 >open.obj
 run check open.obj --pitch 1 --json
 same "$(value voids.traps) $(value voids.cups) $(value voids.list.0.vent_layer)" "0 1 20" "and a cup"
@@ -59,8 +63,13 @@ same "$(value added_voxels)" 0 "and adds nothing"
 same "$(value support_free)" true "and then it prints"
 kept=$(value kept_voxels)
 cp stdout trimmed.json
-value seconds >/dev/null
-ok $? "trim says how long it took"
+box box.obj 0 0 0 9 9 9
+for verb in run info check trim grow repair "preserve --remove box.obj" slice render; do
+    # shellcheck disable=SC2086
+    run ${verb%% *} box.obj ${verb#"${verb%% *}"} $([ "$verb" = info ] || echo --resolution 16) --json
+    [ $exit -eq 2 ] || value seconds >/dev/null
+    ok $? "$verb says how long it took"
+done
 
 run run scene:garden --resolution 96 --pixels 320,240 -o out
 for path in kept_voxels removed_voxels added_voxels support_free; do
