@@ -193,7 +193,7 @@ int main(int argc, char **argv) {
     static char text[1 << 28];
     FILE *file = argc == 3 && load(argv[1]) ? fopen(argv[2], "rb") : NULL;
     size_t size = file ? fread(text, 1, sizeof text, file) : 0;
-    if (size == 0) return fputs("sf-verify STACK_DIR CERTIFICATE: cannot be read\n", stderr), 3;
+    if (size == 0) return fputs("cannot be read; usage: sf-verify LAYERS CERTIFICATE\n", stderr), 3;
     int good = verify(text, size);
     json_decref(given), json_decref(mine), json_decref(layers), json_decref(stack);
     return printf("%s: %s\n", good ? "verified" : "not verified", found), !good;
