@@ -273,10 +273,10 @@ static exit_status choose_bed(cli_job *job, part *p, const sf_lattice *lattice)
 }
 
 // Where nobody asked for a rule, the one that an angle is best met with: on oblong pixels slack.
-static void choose_rule(cli_job *job, const sf_lattice *lattice)
+static void choose_rule(cli_job *job, const part *p, const sf_lattice *lattice)
 {
     cli_options *asked = &job->options;
-    if ((asked->given & OPTION_RULE) == 0 && asked->rule == SF_RULE_OCTAGON &&
+    if ((asked->given & OPTION_RULE) == 0 && !p->own_rule && asked->rule == SF_RULE_OCTAGON &&
         lattice->pitch_x_mm != lattice->pitch_y_mm) {
         asked->rule = SF_RULE_SLACK;
     }
@@ -295,7 +295,7 @@ static exit_status refuse_rule(cli_job *job, sf_status status, const sf_fault *f
 exit_status part_make_rule(cli_job *job, part *p)
 {
     sf_lattice lattice = sf_grid_lattice(p->grid);
-    choose_rule(job, &lattice);
+    choose_rule(job, p, &lattice);
     sf_fault fault = {SF_OK, 0, 0, ""};
     size_t count = sf_rule_table_count(&lattice);
     if (count > 0) {
