@@ -142,7 +142,7 @@ static exit_status apply(cli_job *job, const part *p, const order *o, change *ma
     }
     if (status == SF_OK) {
         progress_phase(operators_phase(o->operation));
-        status = operators_apply(o, p->grid, &made->after, culprits, &job->task, &made->cost);
+        status = operators_apply(o, made->after, culprits, &job->task, &made->cost);
     }
     exit_status done = EXIT_GOOD;
     if (status == SF_ERR_INFEASIBLE && culprits != NULL) {

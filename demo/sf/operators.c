@@ -27,33 +27,18 @@ int operators_may_refuse(const order *o)
            (o->operation != SF_OPERATION_PRESERVE && o->terms.keep != NULL);
 }
 
-// The changes that a repair tries end where no small one helps any more, which is not the least
-// that there is. Keeping everything is another place to begin, and from there it may end lower.
-static sf_status repair_grid(const order *o, const sf_grid *before, sf_grid **grid,
-                             sf_grid *culprits, sf_task *task, uint64_t *cost)
+static sf_status repair_grid(const order *o, sf_grid *grid, sf_grid *culprits, sf_task *task,
+                             uint64_t *cost)
 {
     sf_repair_options how = sf_repair_options_default();
-    sf_repair_report done, again;
-    sf_grid *other = NULL;
+    sf_repair_report done;
     how.terms = o->terms;
     how.min_feature_vx = o->min_feature_vx;
-    sf_status status = sf_grid_repair(*grid, &how, NULL, task, culprits, &done);
-    if (status != SF_OK) {
-        return status;
+    sf_status status = sf_grid_repair(grid, &how, NULL, task, culprits, &done);
+    if (status == SF_OK) {
+        *cost = done.cost;
     }
-    *cost = done.cost;
-    how.terms.keep = before;
-    if (done.cost > 0 && sf_grid_clone(before, NULL, &other) == SF_OK) {
-        status = sf_grid_repair(other, &how, NULL, task, NULL, &again);
-        if (status == SF_OK && again.cost < done.cost) {
-            sf_grid *worse = *grid;
-            *grid = other;
-            *cost = again.cost;
-            other = worse;
-        }
-    }
-    sf_grid_destroy(other);
-    return status == SF_ERR_CANCELLED ? status : SF_OK; // the first one is good in any case
+    return status;
 }
 
 static sf_status preserve_grid(const order *o, sf_grid *grid, sf_task *task)
@@ -63,19 +48,19 @@ static sf_status preserve_grid(const order *o, sf_grid *grid, sf_task *task)
     return sf_grid_preserve(grid, o->brush, &o->terms, &how, NULL, task, NULL);
 }
 
-sf_status operators_apply(const order *o, const sf_grid *before, sf_grid **grid, sf_grid *culprits,
-                          sf_task *task, uint64_t *cost)
+sf_status operators_apply(const order *o, sf_grid *grid, sf_grid *culprits, sf_task *task,
+                          uint64_t *cost)
 {
     *cost = UINT64_MAX;
     switch (o->operation) {
     case SF_OPERATION_TRIM:
-        return sf_grid_trim_on(*grid, &o->terms, NULL, task, culprits, NULL);
+        return sf_grid_trim_on(grid, &o->terms, NULL, task, culprits, NULL);
     case SF_OPERATION_GROW:
-        return sf_grid_grow(*grid, &o->terms, NULL, task, culprits, NULL);
+        return sf_grid_grow(grid, &o->terms, NULL, task, culprits, NULL);
     case SF_OPERATION_REPAIR:
-        return repair_grid(o, before, grid, culprits, task, cost);
+        return repair_grid(o, grid, culprits, task, cost);
     case SF_OPERATION_PRESERVE:
-        return preserve_grid(o, *grid, task);
+        return preserve_grid(o, grid, task);
     default:
         return SF_ERR_ARGUMENT;
     }

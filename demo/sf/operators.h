@@ -22,10 +22,10 @@ const char *operators_phase(sf_operation operation);
 // Whether something may have to stay that cannot, so that a grid for culprits is worth its memory.
 int operators_may_refuse(const order *o);
 
-// Do it to `*grid`, a copy of `before`, which may become another grid. On SF_ERR_INFEASIBLE
-// `culprits`, where it is not NULL, holds the voxels that must stay and cannot, and `*grid` is as
-// it was. `cost` is what the operator says of its own, or UINT64_MAX.
-sf_status operators_apply(const order *o, const sf_grid *before, sf_grid **grid, sf_grid *culprits,
-                          sf_task *task, uint64_t *cost);
+// Do it to a grid. On SF_ERR_INFEASIBLE `culprits`, where it is not NULL, holds the voxels that
+// must stay and cannot, and the grid is as it was. `cost` is what the operator says of its own, or
+// UINT64_MAX.
+sf_status operators_apply(const order *o, sf_grid *grid, sf_grid *culprits, sf_task *task,
+                          uint64_t *cost);
 
 #endif

@@ -96,6 +96,7 @@ typedef struct call {
     sf_task *task;
     sfi_progress progress;
     sf_grid *must, *room, *roots, *result;
+    int has_added;
     sf_grid *whole, *added;                         // what only adds
     sf_grid *plain_room, *plain_exempt;             // with bridges
     sf_grid *careful_room, *careful_exempt, *start; // under slack
@@ -287,11 +288,14 @@ static sf_status hold_against_adding(call *c, const sfi_job *job)
     SF_TRY(new_grid(c, &c->whole));
     SF_TRY(new_grid(c, &c->added));
     SF_TRY(find_whole(c, &adding, c->whole));
+    if (c->must != NULL && !sfi_grid_within(c->must, c->whole)) {
+        return SF_OK; // what must stay stands on bridges, of which this job knows nothing
+    }
     adding.must = c->whole;
     SF_TRY(sfi_improve(&adding, NULL, c->options->rounds, &c->added, &report));
-    if (report.cost == SF_REPAIR_NO_COST ||
-        (c->report.cost != SF_REPAIR_NO_COST &&
-         sfi_job_bill(job, c->added).cost >= sfi_job_bill(job, c->result).cost)) {
+    c->has_added = report.cost != SF_REPAIR_NO_COST;
+    if (!c->has_added || (c->report.cost != SF_REPAIR_NO_COST &&
+                          sfi_job_bill(job, c->added).cost >= sfi_job_bill(job, c->result).cost)) {
         return SF_OK;
     }
     SF_TRY(sfi_improve(job, c->added, c->options->rounds, &c->result, &again));
@@ -337,6 +341,22 @@ static sf_status hold_against_grow(call *c, const sfi_job *job)
     return SF_OK;
 }
 
+// The same once more when all has been widened: struts are dear, and giving up looks cheap then.
+static sf_status hold_against_wide_adding(call *c, const sfi_job *job)
+{
+    sf_repair_report report = {0};
+    if (!c->has_added) {
+        return SF_OK;
+    }
+    SF_TRY(sfi_strut_widen(job, &c->full, c->options->min_feature_vx, c->added, &report));
+    uint64_t cost = sfi_job_bill(job, c->added).cost;
+    if (cost >= sfi_job_bill(job, c->result).cost) {
+        return SF_OK;
+    }
+    c->report.cost = cost;
+    return sfi_grid_copy(c->result, c->added);
+}
+
 static sf_status work(call *c)
 {
     sfi_job job;
@@ -353,6 +373,7 @@ static sf_status work(call *c)
     }
     if (width > 1) {
         SF_TRY(sfi_strut_widen(&job, &c->full, width, c->result, &c->report));
+        SF_TRY(hold_against_wide_adding(c, &job));
     } else if (o->rounds != SF_REPAIR_FIRST) {
         SF_TRY(hold_against_grow(c, &job));
     }
