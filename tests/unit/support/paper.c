@@ -47,6 +47,10 @@ static void pillar(void)
             preserve(&s, &brush, &rule, (sf_preserve_mode)mode, 0, &report);
             CHECK_EQ(report.lost_outside, 0);
             CHECK(stack_is_support_free(&s, &rule, 0));
+            if (height == 6) {
+                printf("# mode %d keeps %llu of %d\n", mode, (unsigned long long)report.kept_voxels,
+                       6 * 121);
+            }
         }
         make_pillar(&s, &brush, height);
         preserve(&s, &brush, &rule, SF_PRESERVE_PAPER_SHADER, 1, &report);
