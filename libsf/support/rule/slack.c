@@ -89,7 +89,7 @@ typedef struct step {
     const uint8_t *below; // its codes
     size_t stride;
     uint32_t gain, top; // top: the code of the cap
-    sf_element element;
+    const sf_element *element;
     uint8_t costs[SFI_SLACK_REACH_MAX + 1][SFI_SLACK_REACH_MAX + 1]; // by dy and dx
 } step;
 
@@ -163,7 +163,7 @@ static void take_row(const step *s, uint32_t x, uint32_t from, uint32_t dy, cons
                      uint8_t *codes)
 {
     uint32_t cap = s->top - 1;
-    for (uint32_t dx = 0; dx <= s->element.half_width[dy]; dx++) {
+    for (uint32_t dx = 0; dx <= s->element->half_width[dy]; dx++) {
         uint32_t cost = s->costs[dy][dx], loss = cost > s->gain ? cost - s->gain : 0;
         if (loss > cap || least_code(codes, wanted) >= s->top - loss) {
             return; // and farther off it costs more
@@ -180,7 +180,7 @@ static void take_around(const step *s, size_t i, uint32_t y, const uint8_t *want
 {
     uint32_t x = (uint32_t)i * BLOCK;
     size_t words = sfi_row_words(s->alive.width);
-    for (uint32_t dy = 0; dy <= s->element.reach_y; dy++) {
+    for (uint32_t dy = 0; dy <= s->element->reach_y; dy++) {
         if (y >= dy && is_near(sfi_slice_row(s->alive, y - dy), words, i)) {
             take_row(s, x, y - dy, dy, wanted, codes);
         }
@@ -199,7 +199,7 @@ static void begin_step(step *s, const sf_rule *rule, uint32_t k, const sfi_front
     s->stride = sfi_slack_stride(below->alive.width);
     s->gain = sfi_slack_gain(rule, k);
     s->top = rule->slack_cap + 1u;
-    s->element = *element;
+    s->element = element;
     for (uint32_t dy = 0; dy <= element->reach_y && dy <= SFI_SLACK_REACH_MAX; dy++) {
         for (uint32_t dx = 0; dx <= element->half_width[dy] && dx <= SFI_SLACK_REACH_MAX; dx++) {
             uint32_t cost = sfi_slack_cost(rule, dx, dy);
