@@ -78,7 +78,7 @@ typedef struct sf_preserve_options {
     size_t struct_size;     /**< sizeof(sf_preserve_options), set by the default */
     sf_preserve_mode mode;  /**< SF_PRESERVE_FAST by default */
     const sf_grid *must_go; /**< voxels that must not stay, or NULL */
-    sf_box brush_box;       /**< only the brush's voxels in here count; empty: all. Saves looking
+    sf_box brush_box;       /**< only the brush's voxels in here count; all zero: all. Saves looking
                                  for them */
     uint32_t strut_width;   /**< of SF_PRESERVE_CORE, in voxels: odd, 1 to 255; 3 by default */
     int accept_unsupported; /**< 1: what the terms do not carry before the edit counts as exempt.
@@ -86,7 +86,8 @@ typedef struct sf_preserve_options {
     int known_support_free; /**< 1: the caller knows that the shape is support-free, as after a
                                  trim, so that fast need not look at all of it. Where it is not,
                                  what nothing carried stays as it was, and no more is left so */
-    int trim_after;         /**< 1: the paper's modes end with a trim; by default they do not */
+    int trim_after; /**< 1: the paper's modes end with a trim; by default they do not. A trim
+                         minds no masks: it takes what hangs wherever it is */
 } sf_preserve_options;
 
 /**

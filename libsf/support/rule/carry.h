@@ -25,7 +25,7 @@ typedef struct sfi_carrier {
 // A slice without words: where no exempt voxels are given, where nobody asks for a result.
 #define SFI_NO_SLICE ((sf_slice){NULL, 0, 0, 0})
 
-// Bytes from one row of codes to the next.
+// Bytes from one row of codes to the next. Those past the row's last word are nobody's: never read.
 static inline size_t sfi_slack_stride(uint32_t width)
 {
     return sf_slice_stride(width) * 64;
