@@ -5,6 +5,7 @@
 #define SF_SF_H
 
 #include <sf/base.h>
+#include <sf/bend.h>
 #include <sf/body.h>
 #include <sf/certificate.h>
 #include <sf/finding.h>
