@@ -10,6 +10,7 @@
 #include <sf/certificate.h>
 #include <sf/finding.h>
 #include <sf/grow.h>
+#include <sf/handles.h>
 #include <sf/mesh.h>
 #include <sf/orient.h>
 #include <sf/preserve.h>
