@@ -40,5 +40,6 @@ void bench_sums(void);
 void bench_meshes(void);
 void bench_repair(void);
 void bench_grow(void);
+void bench_balance(void);
 
 #endif

@@ -140,6 +140,7 @@ int main(int argc, char **argv)
     bench_preserve();
     bench_meshes();
     bench_grow();
+    bench_balance();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {
