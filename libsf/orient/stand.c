@@ -8,42 +8,17 @@
 //
 // What touches is the first slice that holds matter, as squares. The hull of a slice is that of the
 // ends of its rows: for each height y between rows, the least and the greatest x of the two rows
-// beside it. Going up in y, each side is one pass over a stack of corners that turn one way (A. M.
-// Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979), in integers.
+// beside it. It is found in integers.
 
 #include "orient/stand.h"
 
 #include "base/bits.h"
 #include "base/math.h"
 #include "base/memory.h"
+#include "base/polygon.h"
 #include "base/status.h"
 #include "voxel/slice.h"
-
-#include <math.h>
-
-typedef struct corner {
-    int64_t x, y;
-} corner;
-
-// Corners of one side of the hull, from low y to high y.
-typedef struct side {
-    corner *corners;
-    size_t count;
-} side;
-
-// Add a corner to the left side (sign 1) or the right side (sign -1).
-static void push(side *s, int64_t x, int64_t y, int64_t sign)
-{
-    while (s->count >= 2) {
-        corner a = s->corners[s->count - 2], b = s->corners[s->count - 1];
-        if (sign * ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) < 0) {
-            break;
-        }
-        s->count--;
-    }
-    corner made = {x, y};
-    s->corners[s->count++] = made;
-}
+#include "voxel/wide.h"
 
 // First and last solid voxel of a row; returns 0 where there is none.
 static int row_ends(sf_slice slice, uint32_t y, int64_t *first, int64_t *end)
@@ -62,8 +37,10 @@ static int row_ends(sf_slice slice, uint32_t y, int64_t *first, int64_t *end)
     return found;
 }
 
-static void find_hull(sf_slice slice, side *left, side *right)
+// The ends of rows, two for each height; returns how many.
+static size_t find_ends(sf_slice slice, sfi_corner *ends)
 {
+    size_t count = 0;
     for (uint32_t y = 0; y <= slice.height; y++) {
         int64_t first = 0, end = 0, other_first = 0, other_end = 0;
         int above = y < slice.height && row_ends(slice, y, &first, &end);
@@ -77,54 +54,23 @@ static void find_hull(sf_slice slice, side *left, side *right)
         if (!above || (below && other_end > end)) {
             end = other_end;
         }
-        push(left, first, (int64_t)y, 1);
-        push(right, end, (int64_t)y, -1);
+        sfi_corner left = {first, (int64_t)y, 0}, right = {end, (int64_t)y, 0};
+        ends[count++] = left;
+        ends[count++] = right;
     }
+    return count;
 }
 
-// Centre of mass in mm from the grid's lower corner.
-static void find_centre(const sf_moments *m, const sf_lattice *lattice, double centre[3])
+// Mean of a coordinate over the solid voxels' middles, in voxels.
+static double middle(const sf_wide *sum, uint64_t count)
 {
-    const sf_wide *sums[3] = {&m->x, &m->y, &m->z};
-    double pitch[3] = {lattice->pitch_x_mm, lattice->pitch_y_mm, lattice->layer_mm};
-    for (int i = 0; i < 3; i++) {
-        double sum = ldexp((double)sums[i]->high, 64) + (double)sums[i]->low;
-        centre[i] = (sum / (double)m->count + 0.5) * pitch[i];
-    }
-}
-
-// Distance of the centre to the line from a to b, positive to the left of it.
-static double inside(const double centre[3], corner a, corner b, const sf_lattice *lattice)
-{
-    double ax = (double)a.x * lattice->pitch_x_mm, ay = (double)a.y * lattice->pitch_y_mm;
-    double dx = (double)b.x * lattice->pitch_x_mm - ax, dy = (double)b.y * lattice->pitch_y_mm - ay;
-    return (dx * (centre[1] - ay) - dy * (centre[0] - ax)) / sqrt(dx * dx + dy * dy);
-}
-
-// The least distance to an edge; counter-clockwise: up the right side, down the left one.
-static double least_inside(const double centre[3], const side *left, const side *right,
-                           const sf_lattice *lattice)
-{
-    double least = inside(centre, left->corners[0], right->corners[0], lattice);
-    double top =
-        inside(centre, right->corners[right->count - 1], left->corners[left->count - 1], lattice);
-    least = top < least ? top : least;
-    for (size_t i = 1; i < right->count; i++) {
-        double d = inside(centre, right->corners[i - 1], right->corners[i], lattice);
-        least = d < least ? d : least;
-    }
-    for (size_t i = 1; i < left->count; i++) {
-        double d = inside(centre, left->corners[i], left->corners[i - 1], lattice);
-        least = d < least ? d : least;
-    }
-    return least;
+    return sfi_wide_double(*sum) / (double)count + 0.5;
 }
 
 sf_status sfi_stand_margin(const sf_grid *grid, const sf_allocator *allocator, double *margin_rad)
 {
     sf_lattice lattice = sf_grid_lattice(grid);
     sf_moments moments;
-    double centre[3];
     uint32_t bed = 0;
     SF_TRY(sf_grid_measure(grid, NULL, &moments));
     *margin_rad = 0;
@@ -134,16 +80,17 @@ sf_status sfi_stand_margin(const sf_grid *grid, const sf_allocator *allocator, d
     while (!sfi_slice_any(sf_grid_slice(grid, bed))) {
         bed++;
     }
-    size_t most = (size_t)lattice.ny + 1;
-    corner *corners = sfi_alloc_array(allocator, 2 * most, sizeof *corners);
+    size_t most = 2 * ((size_t)lattice.ny + 1), edge;
+    sfi_corner *corners = sfi_alloc_array(allocator, most, sizeof *corners);
     if (corners == NULL) {
         return SF_ERR_MEMORY;
     }
-    side left = {corners, 0}, right = {corners + most, 0};
-    find_hull(sf_grid_slice(grid, bed), &left, &right);
-    find_centre(&moments, &lattice, centre);
-    double height = centre[2] - bed * lattice.layer_mm;
-    *margin_rad = sfi_atan(least_inside(centre, &left, &right, &lattice) / height);
-    sfi_free_array(allocator, corners, 2 * most, sizeof *corners);
+    size_t count = sfi_polygon_hull(corners, find_ends(sf_grid_slice(grid, bed), corners));
+    double inside = sfi_polygon_inside(corners, count, middle(&moments.x, moments.count),
+                                       middle(&moments.y, moments.count), lattice.pitch_x_mm,
+                                       lattice.pitch_y_mm, &edge);
+    double height = (middle(&moments.z, moments.count) - bed) * lattice.layer_mm;
+    *margin_rad = sfi_atan(inside / height);
+    sfi_free_array(allocator, corners, most, sizeof *corners);
     return SF_OK;
 }
