@@ -15,6 +15,7 @@
 #include <sf/orient.h>
 #include <sf/preserve.h>
 #include <sf/repair.h>
+#include <sf/stance.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What the files that make up a stance share.
+
+#ifndef SF_BALANCE_STANCE_H
+#define SF_BALANCE_STANCE_H
+
+#include <sf/stance.h>
+
+#define SFI_HALF_PI 1.5707963267948966
+
+struct sf_stance {
+    sf_allocator allocator;
+    sf_stance_options options;  // `up` of length 1, nothing 0 that stands for something else
+    double east[3], north[3];   // with up, right-handed and of length 1
+    double low[3], diagonal_mm; // the mesh's box
+    double ground_mm;
+    int is_over_edge;    // whether the mesh goes on below the ground
+    size_t vertex_count; // of the mesh
+    uint32_t *contacts;
+    size_t contact_count;
+    double *polygon; // three a corner
+    size_t polygon_count, polygon_capacity;
+    sf_halfspace *halfspaces;
+    size_t halfspace_count, halfspace_capacity;
+};
+
+// An edge of the support polygon, and the direction that leads inside from it, on the ground.
+typedef struct sfi_edge {
+    double from[3], to[3], inward[3];
+} sfi_edge;
+
+// As many edges as corners; for a segment both sides and both ends, for a point the four sides of a
+// square without extent.
+size_t sfi_edge_count(const sf_stance *stance);
+sfi_edge sfi_edge_get(const sf_stance *stance, size_t index);
+
+// Find ground, contacts and polygon of a mesh that is valid and has its box in the stance.
+sf_status sfi_stance_touch(sf_stance *stance, sf_mesh_view mesh, sf_fault *fault);
+
+// The half-spaces of each kind, into an empty list. SF_ERR_MEMORY leaves it empty.
+sf_status sfi_stand_bound(sf_stance *stance);
+sf_status sfi_hang_bound(sf_stance *stance);
+
+// The margin, the edge, and whether it stands.
+void sfi_stand_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
+void sfi_hang_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
+
+// Room for so many half-spaces. SF_ERR_MEMORY.
+sf_status sfi_stance_reserve(sf_stance *stance, size_t count);
+
+// Add the half-space normal . c >= normal . through + least, the normal brought to length 1.
+void sfi_stance_bound(sf_stance *stance, const double normal[3], const double through[3],
+                      double least);
+
+// The angle between two directions, neither of them 0; in [0, pi].
+double sfi_tilt(const double a[3], const double b[3]);
+
+// Length of a vector, and the vector brought to length 1; 0 stays 0.
+double sfi_length(const double a[3]);
+void sfi_normalize(double a[3]);
+
+#endif

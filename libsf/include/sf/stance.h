@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Stances: what a body stands, hangs or rocks on, and where its centre of mass may lie for it.
+//
+// A stance is made from a mesh and says how it is to come to rest: which way is up, and by what it
+// touches the ground or the string. It knows nothing of weight. What it has to say about weight is
+// a set of half-spaces: the body is safe when its centre of mass lies in all of them, and because
+// each is linear in the centre of mass, whoever carves or bends a body can aim at them. Several
+// stances of one body are several objects, whose half-spaces add up.
+//
+// Everything is in the frame of the mesh: it is gravity that turns, not the body.
+
+#ifndef SF_STANCE_H
+#define SF_STANCE_H
+
+#include <sf/body.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a body comes to rest. */
+typedef enum sf_stance_kind {
+    SF_STANCE_STAND = 0, /**< on its lowest vertices, and stays when it is tilted */
+    SF_STANCE_HANG = 1,  /**< from a point, tied to a string */
+    SF_STANCE_ROCK = 2   /**< on a rounded base, and rolls back to the pose asked for */
+} sf_stance_kind;
+
+/** What is asked of a stance. Fill with sf_stance_options_default(). */
+typedef struct sf_stance_options {
+    size_t struct_size;       /**< sizeof(sf_stance_options), set by the default */
+    sf_stance_kind kind;      /**< standing by default */
+    double up[3];             /**< the direction away from the ground, of any length but 0: +z */
+    double gamma_rad;         /**< standing: the tilt of the ground, in whatever direction, that it
+                                   must survive: 4 degrees; 0 to 80 degrees */
+    double tolerance_rad;     /**< hanging, rocking: how far from the pose asked for it may come to
+                                   rest: 1 degree; more than 0, at most 45 degrees */
+    double range_rad;         /**< rocking: the tilt from which it must still roll back: 20 degrees;
+                                   more than tolerance_rad, at most 80 degrees */
+    double contact_mm;        /**< vertices this close above the lowest one touch the ground; 0, the
+                                   default: a millionth of the diagonal of the mesh's box */
+    double region_low_mm[3];  /**< only vertices in this box can touch the ground, borders included:
+                                   everywhere by default */
+    double region_high_mm[3]; /**< the box's upper corner */
+    double point_mm[3];       /**< hanging: where the string is tied: the origin */
+    double lever_mm;          /**< hanging: how far below the point the centre of mass must lie; 0,
+                                   the default: a hundredth of the diagonal */
+} sf_stance_options;
+
+/**
+ * Options of a stance, each at its default.
+ *
+ * @return the options, by value.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API sf_stance_options sf_stance_options_default(void);
+
+/** A way for one mesh to come to rest. */
+typedef struct sf_stance sf_stance;
+
+/**
+ * Make a stance: find what touches the ground, and where the centre of mass may lie.
+ *
+ * Standing. The ground lies below the lowest vertex within the region, perpendicular to `up`, and
+ * what touches it is every vertex within contact_mm above it. The support polygon is their convex
+ * hull, dropped onto the ground. It may be a segment or a point, and then no centre of mass is
+ * safe.
+ *
+ * Hanging. The body swings freely about the point and comes to rest with its centre of mass
+ * straight below.
+ *
+ * The mesh is not kept. Only vertices that triangles use count. It need not be closed.
+ *
+ * @param mesh       vertices in mm, with triangles; coordinates up to 1e12
+ * @param options    what is asked for
+ * @param allocator  for the stance and for scratch, 30 bytes a vertex; NULL for the C library's
+ * @param stance     receives the stance
+ * @param fault      NULL, or receives a sentence on failure
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, options out of
+ * range or without their struct_size, a mesh without triangles, no vertex within the region;
+ * SF_ERR_OVERFLOW: a coordinate beyond 1e12; SF_ERR_UNSUPPORTED: a rocking stance; SF_ERR_MEMORY.
+ * @cost two passes over the mesh; n log n in the vertices that touch the ground.
+ * @threads any; one at a time for each allocator.
+ * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
+ * for 3D Fabrication", 2013, section 3 and figure 2.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_options *options,
+                                             const sf_allocator *allocator, sf_stance **stance,
+                                             sf_fault *fault);
+
+/**
+ * Free a stance; NULL does nothing.
+ *
+ * @param stance  the stance, or NULL
+ * @cost constant.   @threads one, and nobody else with this stance.
+ * @since 0.2
+ */
+SF_API void sf_stance_destroy(sf_stance *stance);
+
+/**
+ * The options that a stance was made with, `up` with length 1 and every 0 replaced by what it
+ * stands for.
+ *
+ * @param stance  the stance, not NULL
+ * @return the options, by value.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API sf_stance_options sf_stance_get_options(const sf_stance *stance);
+
+/**
+ * Height of the ground: its points p have up . p equal to it. Hanging: the height of the point.
+ *
+ * @param stance  the stance, not NULL
+ * @return the height in mm, in the mesh's frame.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API double sf_stance_ground(const sf_stance *stance);
+
+/**
+ * The support polygon: corners on the ground, counter-clockwise for an eye that `up` points to.
+ *
+ * It has 2 corners where all contacts lie on a line, and 1 where they are one point, or where the
+ * body hangs: the point itself.
+ *
+ * @param stance    the stance
+ * @param xyz       receives x, y, z of each corner, in mm; may be NULL where capacity is 0
+ * @param capacity  corners that it has room for
+ * @param count     receives how many corners there are
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CAPACITY: too little room, with the number
+ * of corners in `count`.
+ * @cost linear.   @threads any.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_polygon(const sf_stance *stance, double *xyz, size_t capacity,
+                                              size_t *count);
+
+/**
+ * The vertices that touch the ground, by rising number; none where the body hangs.
+ *
+ * @param stance    the stance
+ * @param vertices  receives their numbers in the mesh; may be NULL where capacity is 0
+ * @param capacity  numbers that it has room for
+ * @param count     receives how many there are
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CAPACITY: too little room, with the number
+ * of contacts in `count`.
+ * @cost linear.   @threads any.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_contacts(const sf_stance *stance, uint32_t *vertices,
+                                               size_t capacity, size_t *count);
+
+/**
+ * Move every contact straight down onto the ground, in the caller's array of vertices.
+ *
+ * With a contact_mm of, say, a tenth of a millimetre, this makes a foot that is almost flat flat,
+ * and the support polygon is then what really touches.
+ *
+ * @param stance        the stance
+ * @param vertices      x, y, z of each vertex of the mesh that the stance was made from, or of a
+ *                      deformed one with the same vertices; those of contacts are changed
+ * @param vertex_count  how many vertices
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_SHAPE: the mesh had another number of
+ * vertices.
+ * @cost linear in the contacts.   @threads any that write to distinct arrays.
+ * @source R. Prevost and others, "Make It Stand", 2013, section 3: "we flatten faces surrounding
+ * the support, within a threshold".
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_flatten(const sf_stance *stance, double *vertices,
+                                              size_t vertex_count);
+
+/**
+ * Where the centre of mass may lie: in all of these half-spaces.
+ *
+ * Standing, one for each edge of the support polygon: with its inward direction n, a corner p and
+ * the height h of the centre c above the ground, n . (c - p) >= h tan(gamma). That is exact: the
+ * body survives a tilt of gamma in every direction if and only if all hold. A segment has one for
+ * either side and either end, a point one for each of four directions; where the mesh goes on below
+ * the ground, outside of the region, one more asks for h >= 0.
+ *
+ * Hanging, sixteen planes through the point, which make a pyramid inside the cone of the tolerance
+ * (they touch it along the pyramid's edges, and come within 2 % of it between them), and one that
+ * asks for the lever.
+ *
+ * @param stance      the stance
+ * @param halfspaces  receives them, their normals with length 1; may be NULL where capacity is 0
+ * @param capacity    half-spaces that it has room for
+ * @param count       receives how many there are
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CAPACITY: too little room, with the number
+ * of half-spaces in `count`.
+ * @cost linear.   @threads any.
+ * @source standing: Prevost and others, "Make It Stand", 2013, figure 2, but with the height of the
+ * centre of mass as it is, where the paper takes it for fixed.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_halfspaces(const sf_stance *stance, sf_halfspace *halfspaces,
+                                                 size_t capacity, size_t *count);
+
+/** How a body of a given centre of mass fares in a stance. */
+typedef struct sf_stance_verdict {
+    double margin_rad;    /**< standing: the least tilt of the ground, over all directions, that
+                               makes it fall, negative where it falls as it is; hanging: minus the
+                               angle between the pose asked for and the one it comes to rest in */
+    double slack_mm;      /**< how far inside of the nearest half-space's plane the centre of mass
+                               lies; negative outside */
+    double edge_mm[2][3]; /**< standing: the edge over which it falls first, two corners; twice the
+                               same point where the polygon is one, or where the body hangs */
+    int stands;           /**< standing: margin_rad >= 0; hanging: it comes to rest within the
+                               tolerance, with the centre of mass not in the point itself */
+    int safe;             /**< it is in all half-spaces, to a billionth of the diagonal */
+} sf_stance_verdict;
+
+/**
+ * Judge a centre of mass.
+ *
+ * Standing, a centre of mass that is not above the ground never tips while it lies inside of an
+ * edge (a margin of 90 degrees), and has fallen where it lies outside (minus 90 degrees).
+ *
+ * @param stance   the stance
+ * @param com_mm   the centre of mass
+ * @param verdict  receives the verdict
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a centre of mass that is no place within 1e12 mm.
+ * @cost linear in the half-spaces.   @threads any.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
+                                            sf_stance_verdict *verdict);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
