@@ -35,6 +35,7 @@
 #include "support/repair/price_row.h"
 #include "support/rule/carry.h"
 #include "voxel/slice.h"
+#include "voxel/square.h"
 
 // One result that is being built.
 typedef struct builder {
@@ -46,42 +47,6 @@ typedef struct builder {
     sf_grid *result;
     sfi_price square_price, voxel_price;
 } builder;
-
-// ---------------------------------------------------------------------------------------------
-// Erosion by the square
-// ---------------------------------------------------------------------------------------------
-
-// row(x) &= row(x + by); beyond the row nothing is solid.
-static void erode_row(uint64_t *row, size_t words, uint32_t by)
-{
-    size_t whole = by / 64;
-    unsigned part = by % 64;
-    for (size_t i = 0; i < words; i++) {
-        uint64_t low = i + whole < words ? row[i + whole] : 0;
-        uint64_t high = i + whole + 1 < words ? row[i + whole + 1] : 0;
-        row[i] &= part == 0 ? low : low >> part | high << (64 - part);
-    }
-}
-
-// slice = the corners of all squares that lie in it.
-static void erode(sf_slice slice, uint32_t width)
-{
-    size_t words = sfi_row_words(slice.width);
-    for (uint32_t have = 1; have < width;) {
-        uint32_t by = width - have < have ? width - have : have;
-        for (uint32_t y = 0; y < slice.height; y++) {
-            erode_row(sfi_slice_row(slice, y), words, by);
-        }
-        for (uint32_t y = 0; y < slice.height; y++) {
-            uint64_t *row = sfi_slice_row(slice, y);
-            const uint64_t *above = y + by < slice.height ? sfi_slice_row(slice, y + by) : NULL;
-            for (size_t i = 0; i < words; i++) {
-                row[i] &= above != NULL ? above[i] : 0;
-            }
-        }
-        have += by;
-    }
-}
 
 // ---------------------------------------------------------------------------------------------
 // Looking around
@@ -233,8 +198,8 @@ static sf_status find_places(builder *b)
     SF_TRY(sfi_grid_copy(b->ends, b->kept));
     SF_TRY(sfi_grid_copy(b->room, job->room));
     for (uint32_t k = 0; k < job->lattice.nz; k++) {
-        erode(sf_grid_slice(b->ends, k), b->width);
-        erode(sf_grid_slice(b->room, k), b->width);
+        sfi_square_corners(sf_grid_slice(b->ends, k), b->width);
+        sfi_square_corners(sf_grid_slice(b->room, k), b->width);
     }
     sf_terms terms = sfi_job_terms(job);
     terms.exempt = b->ends;
