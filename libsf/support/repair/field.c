@@ -80,18 +80,5 @@ sf_status sfi_price_by_demand(const sfi_job *job, sfi_price *price)
 
 sf_rule sfi_careful_rule(const sfi_job *job)
 {
-    sf_rule rule = job->rule;
-    if (rule.kind != SF_RULE_SLACK) {
-        return rule;
-    }
-    uint32_t least = UINT32_MAX;
-    for (uint32_t k = 0; k + 1 < job->lattice.nz; k++) {
-        uint32_t gain = sfi_slack_gain(&job->rule, k);
-        least = gain < least ? gain : least;
-    }
-    least = job->lattice.nz > 1 ? least : 0;
-    sf_rule disk = {.kind = SF_RULE_DISK,
-                    .reach_x_q24 = ((uint64_t)least << 24) / rule.slack_x,
-                    .reach_y_q24 = ((uint64_t)least << 24) / rule.slack_y};
-    return disk;
+    return sfi_rule_plain(&job->rule, job->lattice.nz);
 }

@@ -77,6 +77,25 @@ uint32_t sfi_slack_gain(const sf_rule *rule, uint32_t k)
     return (uint32_t)(to_units(above, units) - to_units(below, units));
 }
 
+sf_rule sfi_rule_plain(const sf_rule *rule, uint32_t layer_count)
+{
+    static const sf_bridge none = {0, 0, 0, 0, 0, 0};
+    sf_rule plain = *rule;
+    plain.bridge = none;
+    if (rule->kind != SF_RULE_SLACK) {
+        return plain;
+    }
+    uint32_t least = layer_count > 1 ? UINT32_MAX : 0;
+    for (uint32_t k = 0; k + 1 < layer_count; k++) {
+        uint32_t gain = sfi_slack_gain(rule, k);
+        least = gain < least ? gain : least;
+    }
+    sf_rule disk = {.kind = SF_RULE_DISK,
+                    .reach_x_q24 = ((uint64_t)least << 24) / rule->slack_x,
+                    .reach_y_q24 = ((uint64_t)least << 24) / rule->slack_y};
+    return disk;
+}
+
 // ---------------------------------------------------------------------------------------------
 // A step, by blocks of a word
 // ---------------------------------------------------------------------------------------------
