@@ -75,9 +75,9 @@ sf_status sfi_carry_anyway(const sfi_carrier *carrier, sf_slice solid, sfi_front
 uint32_t sfi_slack_gain(const sf_rule *rule, uint32_t k);
 uint32_t sfi_slack_cost(const sf_rule *rule, uint32_t dx, uint32_t dy);
 
-// A rule that is an element for each step and carries nothing that `rule` does not: the rule without
-// its bridges, or under slack a disk of what every step gains. Steps within that disk use up no
-// reach, so that chains of them stand on whatever is alive.
+// A rule that is an element for each step and carries nothing that `rule` does not: the rule
+// without its bridges, or under slack a disk of what every step gains. Steps within that disk use
+// up no reach, so that chains of them stand on whatever is alive.
 sf_rule sfi_rule_plain(const sf_rule *rule, uint32_t layer_count);
 
 // One step under slack from layer k, without bridges: front = what of `solid` is reached from

@@ -3,9 +3,9 @@
 // squares are held, for all widths, against their definitions, a voxel at a time; padding is zero
 // afterwards.
 
+#include "voxel/square.h"
 #include "random_slice.h"
 #include "simd/kernels.h"
-#include "voxel/square.h"
 
 #define MAX_WORDS 4096
 
