@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preserve: a ball of radius 40 taken out of a trimmed shape of 512^3, in every mode. The limit
+// Preserve: a ball of radius 40 taken out of a trimmed shape of 512^3, in every mode, and a ball of
+// 256^3 hollowed under slack, where 10^5 voxels are kept at first. The limit
 // reads the layers of the ball once in the window of words that holds it, which any way to remove
 // it must do; "checked" also looks whether the whole shape is support-free, as is the default.
 
@@ -13,7 +14,6 @@
 #include <string.h>
 
 #define RADIUS 40
-#define BALL_GVOXELS 268e-6 // in a ball of that radius
 
 typedef struct preserve_work {
     sf_grid *shape, *grid, *brush;
@@ -97,7 +97,8 @@ static void measure(preserve_work *w, const char *job, sf_preserve_mode mode, in
     snprintf(size, sizeof size, "%u^3", sf_grid_lattice(w->shape).nx);
     bench_work work = {restore, preserve, read_window, w};
     w->kept = w->removed = 0;
-    bench_measure(job, size, 0, BALL_GVOXELS, "Gvoxel", &work);
+    double gvoxels = 1e-9 * (double)sf_grid_popcount(w->brush);
+    bench_measure(job, size, 0, gvoxels, "Gvoxel", &work);
     if (w->kept + w->removed > 0) {
         printf("    kept %llu of %llu voxels\n", (unsigned long long)w->kept,
                (unsigned long long)(w->kept + w->removed));
@@ -130,6 +131,27 @@ static void measure_all(uint32_t n, const sf_rule *rule, int is_slack)
     sf_grid_destroy(w.brush);
 }
 
+// A ball and, as the brush, all of it but a skin.
+static void measure_hollow(uint32_t n, const sf_rule *rule)
+{
+    sf_lattice lattice = {n, n, n, 1.0, 1.0, 1.0, NULL, {0.0, 0.0, 0.0}};
+    preserve_work w;
+    bench_must(sf_grid_create(&lattice, NULL, &w.shape));
+    bench_must(sf_grid_create(&lattice, NULL, &w.brush));
+    scene_add_ball(w.shape, n / 2.0, n / 2.0, n / 2.0, n * 0.49);
+    scene_add_ball(w.brush, n / 2.0, n / 2.0, n / 2.0, n * 0.447);
+    w.terms = sf_terms_default();
+    w.terms.rule = *rule;
+    w.box = sf_grid_bounds(w.brush);
+    bench_must(sf_grid_trim(w.shape, rule, SF_BED_AUTO, NULL, NULL));
+    bench_must(sf_grid_clone(w.shape, NULL, &w.grid));
+    measure(&w, "hollow slack", SF_PRESERVE_FAST, 1);
+    measure(&w, "hollow slack irr", SF_PRESERVE_IRREDUNDANT, 1);
+    sf_grid_destroy(w.shape);
+    sf_grid_destroy(w.grid);
+    sf_grid_destroy(w.brush);
+}
+
 void bench_preserve(void)
 {
     sf_rule rule = sf_rule_box3();
@@ -140,5 +162,8 @@ void bench_preserve(void)
     bench_must(sf_rule_make(SF_RULE_SLACK, 0.78539816339744831, &lattice, NULL, &rule, NULL));
     if (bench_wants("preserve slack")) {
         measure_all(256, &rule, 1);
+    }
+    if (bench_wants("hollow slack")) {
+        measure_hollow(256, &rule);
     }
 }

@@ -52,7 +52,7 @@ static void add_disk(sf_slice slice, double x, double y, double radius)
     }
 }
 
-static void add_ball(sf_grid *grid, double x, double y, double z, double radius)
+void scene_add_ball(sf_grid *grid, double x, double y, double z, double radius)
 {
     for (uint32_t k = 0; k < sf_grid_lattice(grid).nz; k++) {
         double dz = k + 0.5 - z, rest = radius * radius - dz * dz;
@@ -70,7 +70,7 @@ static sf_grid *scene_of_balls(uint32_t n, int balls)
         for (int axis = 0; axis < 3; axis++) {
             at[axis] = n * random_unit();
         }
-        add_ball(grid, at[0], at[1], at[2], radius);
+        scene_add_ball(grid, at[0], at[1], at[2], radius);
     }
     return grid;
 }
@@ -83,7 +83,7 @@ sf_grid *scene_four_balls(uint32_t n)
                                        {0.7, 0.7, 0.78, 0.215}};
     sf_grid *grid = cube(n);
     for (int i = 0; i < 4; i++) {
-        add_ball(grid, n * balls[i][0], n * balls[i][1], n * balls[i][2], n * balls[i][3]);
+        scene_add_ball(grid, n * balls[i][0], n * balls[i][1], n * balls[i][2], n * balls[i][3]);
     }
     sf_rect plate = {n / 16, n / 16, n - n / 16, n - n / 16};
     bench_must(sf_slice_fill(sf_grid_slice(grid, 0), plate, 1));

@@ -10,6 +10,9 @@
 sf_grid *scene_balls(uint32_t n);
 sf_grid *scene_noise(uint32_t n);
 
+// Add the voxels whose centres lie in a ball, in voxels.
+void scene_add_ball(sf_grid *grid, double x, double y, double z, double radius);
+
 // n^3 voxels, 23 M of 512^3 solid: four balls over a plate, three of them in the air.
 sf_grid *scene_four_balls(uint32_t n);
 

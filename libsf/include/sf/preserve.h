@@ -135,7 +135,10 @@ typedef struct sf_preserve_report {
  * their range, a grid that is given twice; and what sf_grid_feasible() says.
  * @cost fast: the volume of the brush's box times the element, and a pass over the grid unless
  * known_support_free and brush_box spare it; else as sf_grid_complete(). Irredundant under slack
- * and with bridges: also a local trim for each kept voxel.
+ * and with bridges: also, for each voxel that was kept first, what its loss changes above it, up to
+ * where something dies: under slack the element for each voxel that falls, with bridges a window of
+ * their reach as well. A ball in 256^3 hollowed under slack, 10^5 voxels tried: 0.35 s; with
+ * bridges over 3 voxels 2 s.
  * @threads one per grid.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, sections 2.2 and 3.2 (the operator and both paper modes; as printed it deletes

@@ -5,294 +5,244 @@
 // pass over the voxels, in any order, leaves a set from which none can be taken: who was refused
 // was needed in a larger V', and a trim is monotone, so it is needed in the smaller one as well.
 //
-// The trial is a trim of what can have changed, as in trim_box.c: from u upwards, in a rectangle
-// around what did change, grown by the step's element and by what a bridge reaches; it ends at the
-// first layer where nothing changed, or when a voxel of F dies. Then all is put back from a journal
-// of the voxels that were touched. Under slack what changes is the codes, so all of them are kept,
-// a byte for each voxel, from the lowest layer on that has something to spare.
+// For the same reason who was refused must stay from then on, as F must: without it F does not
+// stand. The order is from the top down, so above u all must stay, and the first death there ends
+// the trial; in a strut that is one layer higher. Only under slack does a trial lead on, where
+// codes fall and nobody dies, and it ends where they fall no more.
 //
-// Windows begin and end with words. A window is computed in a small front of its own, because codes
-// of a front have the stride of its width.
+// A trial is a trim of what can have changed. Under slack that is found from loss to loss
+// (trial.c). Without, or where a voxel is reached no more and a bridge may hold it, the layer is
+// computed in a rectangle around what did change, grown by the step's element and by what a bridge
+// reaches, as in trim_box.c. Windows begin and end with words, and are computed in a small front of
+// their own, because codes of a front have the stride of its width.
 
 #include "support/preserve/spare.h"
 
 #include "base/bits.h"
 #include "base/bytes.h"
 #include "base/memory.h"
-#include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
+#include "support/preserve/trial.h"
 #include "support/rule/carry.h"
 #include "voxel/rect.h"
 #include "voxel/slice.h"
 
-// What a voxel was.
-typedef struct entry {
-    uint32_t z, y, x;
-    uint8_t code; // under slack; 1 else
-} entry;
-
 typedef struct sparing {
-    sf_grid *grid;
+    sfi_trial trial;
     const sf_grid *needed;
-    const sf_terms *terms;
-    sf_lattice lattice;
-    uint32_t bed, first; // the lowest layer that is looked at
-    uint32_t margin;     // what a bridge reaches within its layer
-    sf_allocator allocator;
-    uint8_t *codes; // under slack: of layers from `first` on
-    size_t layer_bytes;
+    uint32_t bed;
+    uint32_t margin; // what a bridge reaches within its layer
+    sf_slice stay;   // of the layer that is tried: what is needed, and what was refused
     void *memory[3]; // for a carrier and two fronts of the whole width
     size_t sizes[3];
-    entry *journal;
-    size_t count, capacity;
 } sparing;
-
-static uint8_t *codes_at(const sparing *s, uint32_t k, uint32_t y)
-{
-    return s->codes + (k - s->first) * s->layer_bytes + y * sfi_slack_stride(s->lattice.nx);
-}
 
 // ---------------------------------------------------------------------------------------------
 // Memory
 // ---------------------------------------------------------------------------------------------
 
-static uint32_t bridge_margin(const sf_bridge *b)
-{
-    uint32_t x = (uint32_t)b->span_x + b->anchor_x, y = (uint32_t)b->span_y + b->anchor_y;
-    uint32_t d = (uint32_t)b->span_diagonal + b->anchor_diagonal, most = x > y ? x : y;
-    return sfi_bridge_any(b) ? (d > most ? d : most) + 1 : 0;
-}
-
 // The first layer that has a voxel which is not needed; nz where none has.
-static uint32_t first_to_spare(const sparing *s)
+static uint32_t first_to_spare(const sf_grid *grid, const sf_grid *needed)
 {
-    for (uint32_t k = 0; k < s->lattice.nz; k++) {
-        sf_slice all = sf_grid_slice(s->grid, k), must = sf_grid_slice(s->needed, k);
-        if (!sf_slice_equal(all, must)) {
-            return k;
-        }
+    uint32_t k = 0, nz = sf_grid_lattice(grid).nz;
+    while (k < nz && sf_slice_equal(sf_grid_slice(grid, k), sf_grid_slice(needed, k))) {
+        k++;
     }
-    return s->lattice.nz;
+    return k;
 }
 
 static sf_status create(sparing *s)
 {
-    const sf_rule *rule = &s->terms->rule;
-    uint32_t nx = s->lattice.nx, ny = s->lattice.ny;
-    if (!sfi_carrier_size(rule, nx, ny, &s->sizes[0]) ||
-        !sfi_front_size(rule, nx, ny, &s->sizes[1])) {
+    const sf_rule *rule = &s->trial.terms->rule;
+    sf_lattice lattice = s->trial.lattice;
+    if (!sfi_carrier_size(rule, lattice.nx, lattice.ny, &s->sizes[0]) ||
+        !sfi_front_size(rule, lattice.nx, lattice.ny, &s->sizes[1])) {
         return SF_ERR_OVERFLOW;
     }
     s->sizes[2] = s->sizes[1];
     for (int i = 0; i < 3; i++) {
-        s->memory[i] = s->sizes[i] > 0 ? sfi_alloc_array(&s->allocator, 1, s->sizes[i]) : NULL;
+        s->memory[i] =
+            s->sizes[i] > 0 ? sfi_alloc_array(&s->trial.allocator, 1, s->sizes[i]) : NULL;
         if (s->sizes[i] > 0 && s->memory[i] == NULL) {
             return SF_ERR_MEMORY;
         }
     }
-    s->layer_bytes = sfi_slack_stride(nx) * ny;
-    if (rule->kind == SF_RULE_SLACK) {
-        s->codes = sfi_alloc_array(&s->allocator, s->lattice.nz - s->first, s->layer_bytes);
-    }
-    return rule->kind == SF_RULE_SLACK && s->codes == NULL ? SF_ERR_MEMORY : SF_OK;
+    sf_slice stay = sf_grid_slice(s->needed, 0);
+    stay.words =
+        sfi_alloc_array(&s->trial.allocator, stay.stride * stay.height, sizeof *stay.words);
+    s->stay = stay;
+    return stay.words != NULL ? SF_OK : SF_ERR_MEMORY;
 }
 
 static void destroy(sparing *s)
 {
+    const sf_allocator *a = &s->trial.allocator;
     for (int i = 0; i < 3; i++) {
-        sfi_free_array(&s->allocator, s->memory[i], 1, s->sizes[i]);
+        sfi_free_array(a, s->memory[i], 1, s->sizes[i]);
     }
-    sfi_free_array(&s->allocator, s->codes, s->lattice.nz - s->first, s->layer_bytes);
-    sfi_free_array(&s->allocator, s->journal, s->capacity, sizeof *s->journal);
+    sfi_free_array(a, s->stay.words, s->stay.stride * s->stay.height, sizeof *s->stay.words);
+    sfi_trial_destroy(&s->trial);
 }
 
-// Codes of the whole grid, those from `first` on kept.
+// Codes of the whole grid, those from the trial's first layer on kept.
 static sf_status fill_codes(sparing *s)
 {
-    const sf_rule *rule = &s->terms->rule;
-    uint32_t nx = s->lattice.nx, ny = s->lattice.ny;
-    if (s->codes == NULL) {
+    const sfi_trial *t = &s->trial;
+    const sf_rule *rule = &t->terms->rule;
+    uint32_t nx = t->lattice.nx, ny = t->lattice.ny;
+    if (t->codes == NULL) {
         return SF_OK;
     }
     sfi_carrier carrier = sfi_carrier_place(rule, nx, ny, s->memory[0]);
     sfi_front fronts[2] = {sfi_front_place(rule, nx, ny, s->memory[1]),
                            sfi_front_place(rule, nx, ny, s->memory[2])};
-    for (uint32_t k = s->bed; k < s->lattice.nz; k++) {
-        sf_slice solid = sf_grid_slice(s->grid, k), exempt = sfi_mask_slice(s->terms->exempt, k);
+    for (uint32_t k = s->bed; k < t->lattice.nz; k++) {
+        sf_slice solid = sf_grid_slice(t->grid, k), exempt = sfi_mask_slice(t->terms->exempt, k);
         sfi_front front = fronts[k % 2];
         SF_TRY(k == s->bed ? sfi_carry_bed(&carrier, solid, front)
                            : sfi_carry(&carrier, k, &fronts[(k + 1) % 2], solid, exempt, front,
                                        SFI_NO_SLICE));
-        if (k >= s->first) {
-            memcpy(codes_at(s, k, 0), front.slack, s->layer_bytes);
+        if (k >= t->first) {
+            memcpy(sfi_trial_codes(t, k, 0), front.slack, t->layer_bytes);
         }
     }
     return SF_OK;
 }
 
 // ---------------------------------------------------------------------------------------------
-// Journal
+// A layer as a front
 // ---------------------------------------------------------------------------------------------
 
-static uint64_t *word_at(const sparing *s, uint32_t k, uint32_t y, uint32_t x)
+// The front of layer k in a window, on what stands below: right within it but for a margin.
+static sf_status compute(const sparing *s, uint32_t k, sf_rect part, sfi_front *front)
 {
-    return &sfi_slice_row(sf_grid_slice(s->grid, k), y)[x / 64];
+    const sfi_trial *t = &s->trial;
+    const sf_rule *rule = &t->terms->rule;
+    uint32_t width = part.x1 - part.x0, height = part.y1 - part.y0;
+    sfi_carrier carrier = sfi_carrier_place(rule, width, height, s->memory[0]);
+    sfi_front below = sfi_front_place(rule, width, height, s->memory[1]);
+    *front = sfi_front_place(rule, width, height, s->memory[2]);
+    SF_TRY(sf_slice_copy(below.alive, sfi_slice_window(sf_grid_slice(t->grid, k - 1), part)));
+    for (uint32_t y = 0; t->codes != NULL && y < height; y++) {
+        const uint8_t *from = sfi_trial_codes(t, k - 1, part.y0 + y) + part.x0;
+        memcpy(below.slack + y * sfi_slack_stride(width), from, width);
+    }
+    return sfi_carry(&carrier, k, &below, sfi_slice_window(sf_grid_slice(t->grid, k), part),
+                     sfi_slice_window(sfi_mask_slice(t->terms->exempt, k), part), *front,
+                     SFI_NO_SLICE);
 }
 
-// Voxel (x, y) of layer k gets a lower code; 0 removes it.
-static sf_status lower(sparing *s, uint32_t k, uint32_t y, uint32_t x, uint8_t code)
+// Bring layer k to what the front of `part` says within r. *lost: a voxel died that must stay:
+// those of `stay`, all where that has no words.
+static sf_status commit(sparing *s, uint32_t k, sf_rect part, sf_rect r, const sfi_front *front,
+                        sf_slice stay, int *lost)
 {
-    void *memory = s->journal;
-    if (!sfi_grow_array(&s->allocator, &memory, &s->capacity, s->count + 1, sizeof *s->journal)) {
-        return SF_ERR_MEMORY;
-    }
-    s->journal = memory;
-    entry was = {k, y, x, 1};
-    if (s->codes != NULL) {
-        was.code = codes_at(s, k, y)[x];
-        codes_at(s, k, y)[x] = code;
-    }
-    s->journal[s->count++] = was;
-    if (code == 0) {
-        *word_at(s, k, y, x) &= ~(UINT64_C(1) << (x % 64));
+    sfi_trial *t = &s->trial;
+    sf_slice solid = sf_grid_slice(t->grid, k);
+    size_t stride = sfi_slack_stride(part.x1 - part.x0);
+    for (uint32_t y = r.y0; y < r.y1; y++) {
+        for (uint32_t x = r.x0; x < r.x1; x++) {
+            if (!sf_slice_get(solid, x, y)) {
+                continue;
+            }
+            uint8_t now = (uint8_t)sf_slice_get(front->alive, x - part.x0, y - part.y0), was = 1;
+            if (t->codes != NULL) {
+                now = front->slack[(y - part.y0) * stride + (x - part.x0)];
+                was = sfi_trial_codes(t, k, y)[x];
+            }
+            if (now == 0 && (stay.words == NULL || sf_slice_get(stay, x, y))) {
+                *lost = 1;
+                return SF_OK;
+            }
+            if (now != was) {
+                SF_TRY(sfi_trial_lower(t, k, y, x, now));
+            }
+        }
     }
     return SF_OK;
 }
 
-static void put_back(sparing *s)
+// The rectangle around the losses from `from` on.
+static sf_rect around(const sfi_trial *t, size_t from)
 {
-    while (s->count > 0) {
-        const entry *was = &s->journal[--s->count];
-        if (s->codes != NULL) {
-            codes_at(s, was->z, was->y)[was->x] = was->code;
-        }
-        *word_at(s, was->z, was->y, was->x) |= UINT64_C(1) << (was->x % 64);
+    sf_rect all = {0, 0, 0, 0};
+    for (size_t i = from; i < t->count; i++) {
+        const sfi_loss *l = &t->losses[i];
+        sf_rect one = {l->x, l->y, l->x + 1, l->y + 1};
+        all = sfi_rect_union(all, one);
     }
+    return all;
+}
+
+// Layer k, what changed by losses within `dirty`: those of the layer below, or its own.
+static sf_status redo(sparing *s, uint32_t k, int is_own, sf_rect dirty, int *lost)
+{
+    sf_element e;
+    sfi_front front;
+    SF_TRY(sfi_trial_element(&s->trial, k - 1, &e));
+    sf_slice layer = sf_grid_slice(s->trial.grid, k);
+    uint32_t rx = e.half_width[0] + s->margin, ry = e.reach_y + s->margin;
+    sf_rect r = is_own ? sfi_rect_grow(dirty, s->margin, s->margin, layer)
+                       : sfi_rect_grow(dirty, rx, ry, layer);
+    sf_rect part = sfi_rect_align(sfi_rect_grow(r, rx, ry, layer), layer);
+    SF_TRY(compute(s, k, part, &front));
+    return commit(s, k, part, r, &front, is_own ? s->stay : SFI_NO_SLICE, lost);
 }
 
 // ---------------------------------------------------------------------------------------------
 // A trial
 // ---------------------------------------------------------------------------------------------
 
-// The front of layer k in a window, on what stands below: right within it but for a margin.
-static sf_status compute(const sparing *s, uint32_t k, sf_rect part, sfi_front *front)
+// One voxel of layer k is lost: trim that layer, where bridges can be held by it, and those above.
+static sf_status follow(sparing *s, uint32_t k, int *lost)
 {
-    const sf_rule *rule = &s->terms->rule;
-    uint32_t width = part.x1 - part.x0, height = part.y1 - part.y0;
-    sfi_carrier carrier = sfi_carrier_place(rule, width, height, s->memory[0]);
-    sfi_front below = sfi_front_place(rule, width, height, s->memory[1]);
-    *front = sfi_front_place(rule, width, height, s->memory[2]);
-    SF_TRY(sf_slice_copy(below.alive, sfi_slice_window(sf_grid_slice(s->grid, k - 1), part)));
-    for (uint32_t y = 0; s->codes != NULL && y < height; y++) {
-        const uint8_t *from = codes_at(s, k - 1, part.y0 + y) + part.x0;
-        uint8_t *to = below.slack + y * sfi_slack_stride(width);
-        memcpy(to, from, width);
+    sfi_trial *t = &s->trial;
+    size_t from = 0;
+    if (s->margin > 0 && k > s->bed) {
+        SF_TRY(redo(s, k, 1, around(t, 0), lost));
     }
-    return sfi_carry(&carrier, k, &below, sfi_slice_window(sf_grid_slice(s->grid, k), part),
-                     sfi_slice_window(sfi_mask_slice(s->terms->exempt, k), part), *front,
-                     SFI_NO_SLICE);
-}
-
-static void widen(sf_rect *r, uint32_t x, uint32_t y)
-{
-    sf_rect one = {x, y, x + 1, y + 1};
-    if (sfi_rect_is_empty(*r)) {
-        *r = one;
-        return;
-    }
-    r->x0 = x < r->x0 ? x : r->x0;
-    r->x1 = x >= r->x1 ? x + 1 : r->x1;
-    r->y0 = y < r->y0 ? y : r->y0;
-    r->y1 = y >= r->y1 ? y + 1 : r->y1;
-}
-
-// Bring layer k to what the front of `part` says within r; `changed` is the rectangle around what
-// changed. *lost: a voxel that is needed died.
-static sf_status commit(sparing *s, uint32_t k, sf_rect part, sf_rect r, const sfi_front *front,
-                        sf_rect *changed, int *lost)
-{
-    sf_slice must = sf_grid_slice(s->needed, k), solid = sf_grid_slice(s->grid, k);
-    size_t stride = sfi_slack_stride(part.x1 - part.x0);
-    for (uint32_t y = r.y0; y < r.y1; y++) {
-        const uint64_t *alive = sfi_slice_row(front->alive, y - part.y0);
-        for (uint32_t x = r.x0; x < r.x1; x++) {
-            if (!(sfi_slice_row(solid, y)[x / 64] >> (x % 64) & 1)) {
-                continue;
-            }
-            uint8_t now = (uint8_t)(alive[(x - part.x0) / 64] >> (x % 64) & 1), was = 1;
-            if (s->codes != NULL) {
-                now = front->slack[(y - part.y0) * stride + (x - part.x0)];
-                was = codes_at(s, k, y)[x];
-            }
-            if (now == was) {
-                continue;
-            }
-            if (now == 0 && (sfi_slice_row(must, y)[x / 64] >> (x % 64) & 1)) {
-                *lost = 1;
-                return SF_OK;
-            }
-            SF_TRY(lower(s, k, y, x, now));
-            widen(changed, x, y);
+    for (uint32_t j = k + 1; j < t->lattice.nz && !*lost && from < t->count; j++) {
+        sf_rect dirty = around(t, from);
+        size_t count = t->count;
+        int died = 1;
+        if (t->codes != NULL) {
+            died = 0;
+            SF_TRY(sfi_trial_rise(t, j, from, &died));
         }
-    }
-    return SF_OK;
-}
-
-// Trim what changed in layer k and above.
-static sf_status follow(sparing *s, uint32_t k, sf_rect dirty, int *lost)
-{
-    sf_rect edited = dirty;
-    // In its own layer a voxel matters to bridges only.
-    uint32_t first = s->margin > 0 && k > s->bed ? k : k + 1;
-    for (uint32_t j = first; j < s->lattice.nz && !*lost; j++) {
-        sf_element e;
-        sfi_front front;
-        SF_TRY(sf_rule_element(&s->terms->rule, j - 1, &e));
-        sf_slice layer = sf_grid_slice(s->grid, j);
-        uint32_t rx = e.half_width[0] + s->margin, ry = e.reach_y + s->margin;
-        sf_rect r = j > k ? sfi_rect_grow(dirty, rx, ry, layer)
-                          : sfi_rect_grow(dirty, s->margin, s->margin, layer);
-        sf_rect part = sfi_rect_align(sfi_rect_grow(r, rx, ry, layer), layer);
-        sf_rect changed = {0, 0, 0, 0};
-        SF_TRY(compute(s, j, part, &front));
-        SF_TRY(commit(s, j, part, r, &front, &changed, lost));
-        if (j == k) { // the voxel itself has changed
-            widen(&changed, edited.x0, edited.y0);
+        if (died && t->codes != NULL && s->margin == 0) {
+            *lost = 1;
+        } else if (died) {
+            SF_TRY(redo(s, j, 0, dirty, lost));
         }
-        if (sfi_rect_is_empty(changed)) {
-            break;
-        }
-        dirty = changed;
+        from = count;
     }
     return SF_OK;
 }
 
 static sf_status try_voxel(sparing *s, uint32_t k, uint32_t y, uint32_t x)
 {
-    sf_rect dirty = {x, y, x + 1, y + 1};
     int lost = 0;
-    s->count = 0;
-    SF_TRY(lower(s, k, y, x, 0));
-    SF_TRY(follow(s, k, dirty, &lost));
+    sfi_trial_begin(&s->trial);
+    SF_TRY(sfi_trial_lower(&s->trial, k, y, x, 0));
+    SF_TRY(follow(s, k, &lost));
     if (lost) {
-        put_back(s);
+        sfi_trial_undo(&s->trial);
+        return sf_slice_set(s->stay, x, y, 1);
     }
     return SF_OK;
 }
 
 static sf_status try_layer(sparing *s, uint32_t k)
 {
-    sf_slice solid = sf_grid_slice(s->grid, k), must = sf_grid_slice(s->needed, k);
+    sf_slice solid = sf_grid_slice(s->trial.grid, k);
+    SF_TRY(sf_slice_copy(s->stay, sf_grid_slice(s->needed, k)));
     for (uint32_t y = 0; y < solid.height; y++) {
-        const uint64_t *row = sfi_slice_row(solid, y), *stay = sfi_slice_row(must, y);
+        const uint64_t *row = sfi_slice_row(solid, y), *stay = sfi_slice_row(s->stay, y);
         for (size_t i = 0; i < sfi_row_words(solid.width); i++) {
-            // What is tried may take others of its layer with it, so the row is read again.
-            uint64_t tried = 0, word;
-            while ((word = row[i] & ~stay[i] & ~tried) != 0) {
-                uint64_t bit = word & (~word + 1);
-                tried |= bit;
-                SF_TRY(try_voxel(s, k, y, (uint32_t)i * 64 + sfi_lowest_bit(bit)));
+            // What is tried stays or goes, and may take others of its layer with it.
+            for (uint64_t word; (word = row[i] & ~stay[i]) != 0;) {
+                SF_TRY(try_voxel(s, k, y, (uint32_t)i * 64 + sfi_lowest_bit(word)));
             }
         }
     }
@@ -302,21 +252,17 @@ static sf_status try_layer(sparing *s, uint32_t k)
 sf_status sfi_spare(sf_grid *grid, const sf_grid *needed, const sf_terms *terms, uint32_t bed,
                     const sf_allocator *allocator, sf_task *task)
 {
-    sparing s = {.grid = grid, .needed = needed, .terms = terms, .bed = bed};
-    s.lattice = sf_grid_lattice(grid);
-    s.allocator = sfi_allocator_or_default(allocator);
-    s.margin = bridge_margin(&terms->rule.bridge);
-    s.first = first_to_spare(&s);
-    if (s.first == s.lattice.nz) {
+    sparing s = {.needed = needed, .bed = bed, .margin = sfi_bridge_margin(&terms->rule.bridge)};
+    uint32_t first = first_to_spare(grid, needed), nz = sf_grid_lattice(grid).nz;
+    if (first == nz) {
         return SF_OK;
     }
     // A bridge's layer is computed on the one below, whose codes are needed too.
-    s.first = s.first > 0 ? s.first - 1 : 0;
-    sf_status status = create(&s);
-    if (status == SF_OK) {
-        status = fill_codes(&s);
-    }
-    for (uint32_t k = s.lattice.nz; status == SF_OK && k-- > s.first;) {
+    first = first > 0 ? first - 1 : 0;
+    sf_status status = sfi_trial_create(&s.trial, grid, terms, first, allocator);
+    status = status == SF_OK ? create(&s) : status;
+    status = status == SF_OK ? fill_codes(&s) : status;
+    for (uint32_t k = nz; status == SF_OK && k-- > first;) {
         status = sf_task_is_cancelled(task) ? SF_ERR_CANCELLED : try_layer(&s, k);
     }
     destroy(&s);
