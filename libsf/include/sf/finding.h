@@ -63,8 +63,8 @@ typedef struct sf_finding_cost {
  * the grid has not, a rule that does not serve all its layers, findings that are not those of a
  * check of this shape on these terms; SF_ERR_SHAPE: grids that differ in counts; SF_ERR_OVERFLOW;
  * SF_ERR_MEMORY; SF_ERR_CANCELLED.
- * @cost 4 * reach passes over two bytes a voxel, and for each finding its region, and what stands
- * below it, times the logarithm of their sizes.
+ * @cost 4 * reach passes over two bytes a voxel, and for each finding its region and what stands
+ * below it, not the rectangles around them, times the element and the logarithm of their sizes.
  * @threads any; the grids but `added` are only read.
  * @source the costs are the closest supporting paths of T. Reiner, S. Lefebvre, "Interactive
  * Modeling of Support-free Shapes for Fabrication", Eurographics 2016, section 2.2, without the

@@ -18,6 +18,10 @@
 // number that they had when they were last counted; the first is counted again, and is taken if
 // that changed nothing.
 //
+// What needs to be carried is kept twice: as bits, which are asked, and as runs, which are walked.
+// Places are looked for around the runs, a word at a time, so that a long thin region costs what it
+// is long, and not the rectangle around it.
+//
 // Source: V. Chvatal, "A Greedy Heuristic for the Set-Covering Problem", 1979; counting late is M.
 // Minoux, "Accelerated greedy algorithms for maximizing submodular set functions", 1978.
 
@@ -27,6 +31,7 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
+#include "voxel/rect.h"
 #include "voxel/slice.h"
 
 #include <sf/finding.h>
@@ -146,29 +151,65 @@ static uint32_t away_from(const sf_rect *region, uint32_t x, uint32_t y)
     return dx > dy ? dx : dy;
 }
 
-// All places of layer k that carry something in the rectangle, as a heap.
-static sf_status find_places(sfi_props *props, uint32_t k, const sf_rect *rect, const sf_element *e,
+static int grow(sfi_props *props, void **memory, size_t *capacity, size_t need, size_t size)
+{
+    return sfi_grow_array(&props->allocator, memory, capacity, need, size);
+}
+
+// The places of word i of row y of layer k whose bits are given.
+static sf_status add_places(sfi_props *props, uint32_t k, uint32_t y, size_t i, uint64_t bits,
+                            const sf_element *e, const sf_rect *region)
+{
+    const uint16_t *prices = sfi_footing_row(props->prices, k, y);
+    for (; bits != 0; bits &= bits - 1) {
+        uint32_t x = (uint32_t)(64 * i) + sfi_lowest_bit(bits);
+        if (prices[x] == SFI_FOOTING_NONE) {
+            continue;
+        }
+        if (!grow(props, (void **)&props->places, &props->capacity, props->count + 1,
+                  sizeof *props->places)) {
+            return SF_ERR_MEMORY;
+        }
+        sfi_prop_place place = {x, y, prices[x], carried_by(props->need, x, y, e, 0),
+                                away_from(region, x, y)};
+        props->places[props->count++] = place;
+    }
+    return SF_OK;
+}
+
+// The places around a run that are not marked as seen; `see`: mark them, else take the mark away.
+static sf_status look_around(sfi_props *props, uint32_t k, const sf_run *run, const sf_element *e,
+                             const sf_rect *region, int see)
+{
+    sf_rect rows = window(props->seen, run->x0, run->y, e);
+    for (uint32_t y = rows.y0; y < rows.y1; y++) {
+        uint32_t w = e->half_width[y > run->y ? y - run->y : run->y - y];
+        uint32_t x0 = shrunk(run->x0, w), x1 = grown(run->x1, w, props->seen.width);
+        uint64_t *seen = sfi_slice_row(props->seen, y);
+        for (size_t i = x0 / 64; i <= (x1 - 1) / 64; i++) {
+            uint64_t mask = within(i, x0, x1);
+            if (see) {
+                SF_TRY(add_places(props, k, y, i, mask & ~seen[i], e, region));
+                seen[i] |= mask;
+            } else {
+                seen[i] &= ~mask;
+            }
+        }
+    }
+    return SF_OK;
+}
+
+// All places of layer k that carry something of what is asked for, as a heap.
+static sf_status find_places(sfi_props *props, uint32_t k, const sf_element *e,
                              const sf_rect *region)
 {
-    sf_slice need = props->need;
-    uint32_t y0 = shrunk(rect->y0, e->reach_y), y1 = grown(rect->y1, e->reach_y, need.height);
-    uint32_t x0 = shrunk(rect->x0, e->half_width[0]);
-    uint32_t x1 = grown(rect->x1, e->half_width[0], need.width);
+    const sfi_prop_runs *asked = &props->asked;
     props->count = 0;
-    for (uint32_t y = y0; y < y1; y++) {
-        const uint16_t *prices = sfi_footing_row(props->prices, k, y);
-        for (uint32_t x = x0; x < x1; x++) {
-            uint32_t covers = prices[x] == SFI_FOOTING_NONE ? 0 : carried_by(need, x, y, e, 0);
-            if (covers == 0) {
-                continue;
-            }
-            if (!sfi_grow_array(&props->allocator, (void **)&props->places, &props->capacity,
-                                props->count + 1, sizeof *props->places)) {
-                return SF_ERR_MEMORY;
-            }
-            sfi_prop_place place = {x, y, prices[x], covers, away_from(region, x, y)};
-            props->places[props->count++] = place;
-        }
+    for (size_t i = 0; i < asked->count; i++) {
+        SF_TRY(look_around(props, k, &asked->runs[i], e, region, 1));
+    }
+    for (size_t i = 0; i < asked->count; i++) {
+        SF_TRY(look_around(props, k, &asked->runs[i], e, region, 0));
     }
     for (size_t i = props->count / 2; i-- > 0;) {
         sink(props->places, props->count, i);
@@ -180,39 +221,42 @@ static sf_status find_places(sfi_props *props, uint32_t k, const sf_rect *rect, 
 // Layers
 // ---------------------------------------------------------------------------------------------
 
-static void widen(sf_rect *rect, uint32_t x0, uint32_t x1, uint32_t y)
+// Ask for a run of the layer below.
+static sf_status ask(sfi_props *props, sfi_prop_runs *list, sf_slice slice, const sf_run *run)
 {
-    rect->x0 = x0 < rect->x0 ? x0 : rect->x0;
-    rect->x1 = x1 > rect->x1 ? x1 : rect->x1;
-    rect->y0 = y < rect->y0 ? y : rect->y0;
-    rect->y1 = y + 1 > rect->y1 ? y + 1 : rect->y1;
+    if (!grow(props, (void **)&list->runs, &list->capacity, list->count + 1, sizeof *list->runs)) {
+        return SF_ERR_MEMORY;
+    }
+    list->runs[list->count++] = *run;
+    for (size_t i = run->x0 / 64; i <= (run->x1 - 1) / 64; i++) {
+        sfi_slice_row(slice, run->y)[i] |= within(i, run->x0, run->x1);
+    }
+    return SF_OK;
 }
 
-static void set_bit(sf_slice slice, uint32_t x, uint32_t y)
+// Take a place of layer k.
+static sf_status take_place(sfi_props *props, uint32_t k, const sf_element *e,
+                            const sfi_prop_place *place)
 {
-    sfi_slice_row(slice, y)[x / 64] |= (uint64_t)1 << (x % 64);
+    sf_run run = {place->x, place->x + 1, place->y, 0};
+    (void)carried_by(props->need, place->x, place->y, e, 1);
+    if (props->added != NULL) {
+        SF_TRY(sf_slice_set(sf_grid_slice(props->added, k), place->x, place->y, 1));
+    }
+    return place->price > 1 ? ask(props, &props->next_asked, props->next, &run) : SF_OK;
 }
 
-// Take places of layer k until all is carried; `below` becomes the rectangle around those that
-// nothing carries. Returns how many were taken.
-static uint64_t take_places(sfi_props *props, uint32_t k, const sf_element *e, sf_rect *below)
+// Take places of layer k until all is carried, and ask for what nothing carries of them. *taken is
+// how many.
+static sf_status take_places(sfi_props *props, uint32_t k, const sf_element *e, uint64_t *taken)
 {
-    sf_rect none = {UINT32_MAX, UINT32_MAX, 0, 0};
-    uint64_t taken = 0;
-    *below = none;
+    *taken = 0;
     while (props->count > 0) {
         sfi_prop_place *best = &props->places[0];
         uint32_t covers = carried_by(props->need, best->x, best->y, e, 0);
         if (covers == best->covers) {
-            (void)carried_by(props->need, best->x, best->y, e, 1);
-            if (props->added != NULL) {
-                set_bit(sf_grid_slice(props->added, k), best->x, best->y);
-            }
-            if (best->price > 1) {
-                set_bit(props->next, best->x, best->y);
-                widen(below, best->x, best->x + 1, best->y);
-            }
-            taken++;
+            SF_TRY(take_place(props, k, e, best));
+            ++*taken;
             covers = 0;
         }
         best->covers = covers;
@@ -223,7 +267,7 @@ static uint64_t take_places(sfi_props *props, uint32_t k, const sf_element *e, s
             sink(props->places, props->count, 0);
         }
     }
-    return taken;
+    return SF_OK;
 }
 
 // Whether each voxel of a run has a place below it that can be had.
@@ -257,21 +301,29 @@ static int can_carry_all(const sfi_props *props, uint32_t k, const sf_run *runs,
     return 1;
 }
 
-// Cover what props->need holds in `rect`, from layer k down.
-static sf_status prop_down(sfi_props *props, uint32_t k, sf_rect rect, uint64_t *cost)
+// What the layer below is asked for becomes what is asked for.
+static void turn(sfi_props *props)
 {
-    sf_rect region = rect;
+    sf_slice need = props->need;
+    sfi_prop_runs asked = props->asked;
+    props->need = props->next;
+    props->next = need;
+    props->asked = props->next_asked;
+    props->next_asked = asked;
+    props->next_asked.count = 0;
+}
+
+// Cover what is asked for, from layer k down.
+static sf_status prop_down(sfi_props *props, uint32_t k, const sf_rect *region, uint64_t *cost)
+{
     sf_element element;
-    uint64_t sum = 0;
-    for (uint32_t layer = k; rect.x0 < rect.x1; layer--) {
-        sf_rect below;
+    uint64_t sum = 0, taken;
+    for (uint32_t layer = k; props->asked.count > 0; layer--) {
         SF_TRY(sfi_footing_element(props->rule, layer, &element));
-        SF_TRY(find_places(props, layer, &rect, &element, &region));
-        sum += take_places(props, layer, &element, &below);
-        sf_slice swap = props->need;
-        props->need = props->next;
-        props->next = swap;
-        rect = below;
+        SF_TRY(find_places(props, layer, &element, region));
+        SF_TRY(take_places(props, layer, &element, &taken));
+        turn(props);
+        sum += taken;
     }
     *cost = sum;
     return SF_OK;
@@ -279,7 +331,7 @@ static sf_status prop_down(sfi_props *props, uint32_t k, sf_rect rect, uint64_t 
 
 sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t count, uint64_t *cost)
 {
-    sf_rect rect = {UINT32_MAX, UINT32_MAX, 0, 0};
+    sf_rect region = {0, 0, 0, 0};
     sf_element element;
     *cost = SF_COST_NONE;
     if (k <= props->prices->bed) {
@@ -290,12 +342,11 @@ sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t coun
         return SF_OK;
     }
     for (size_t i = 0; i < count; i++) {
-        widen(&rect, runs[i].x0, runs[i].x1, runs[i].y);
-        for (size_t w = runs[i].x0 / 64; w <= (runs[i].x1 - 1) / 64; w++) {
-            sfi_slice_row(props->need, runs[i].y)[w] |= within(w, runs[i].x0, runs[i].x1);
-        }
+        sf_rect run = {runs[i].x0, runs[i].y, runs[i].x1, runs[i].y + 1};
+        region = sfi_rect_union(region, run);
+        SF_TRY(ask(props, &props->asked, props->need, &runs[i]));
     }
-    return prop_down(props, k - 1, rect, cost);
+    return prop_down(props, k - 1, &region, cost);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -321,21 +372,37 @@ sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_foot
     sfi_props made = {.rule = rule, .prices = prices, .allocator = *allocator, .added = added};
     made.need = make_slice(lattice, allocator);
     made.next = make_slice(lattice, allocator);
+    made.seen = make_slice(lattice, allocator);
     *props = made;
-    if (made.need.words == NULL || made.next.words == NULL) {
+    if (made.need.words == NULL || made.next.words == NULL || made.seen.words == NULL) {
         sfi_props_destroy(props);
         return SF_ERR_MEMORY;
     }
     return SF_OK;
 }
 
+static void free_slice(const sf_allocator *allocator, sf_slice *slice)
+{
+    sfi_free_array(allocator, slice->words, slice->stride * slice->height, sizeof *slice->words);
+    slice->words = NULL;
+}
+
+static void free_runs(const sf_allocator *allocator, sfi_prop_runs *list)
+{
+    sfi_free_array(allocator, list->runs, list->capacity, sizeof *list->runs);
+    list->runs = NULL;
+    list->capacity = list->count = 0;
+}
+
 void sfi_props_destroy(sfi_props *props)
 {
     const sf_allocator *a = &props->allocator;
-    sfi_free_array(a, props->need.words, props->need.stride * props->need.height, sizeof(uint64_t));
-    sfi_free_array(a, props->next.words, props->next.stride * props->next.height, sizeof(uint64_t));
+    free_slice(a, &props->need);
+    free_slice(a, &props->next);
+    free_slice(a, &props->seen);
+    free_runs(a, &props->asked);
+    free_runs(a, &props->next_asked);
     sfi_free_array(a, props->places, props->capacity, sizeof *props->places);
-    props->need.words = props->next.words = NULL;
     props->places = NULL;
     props->capacity = 0;
 }

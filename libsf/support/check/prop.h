@@ -13,12 +13,20 @@ typedef struct sfi_prop_place {
     uint32_t away;          // from the middle of the region
 } sfi_prop_place;
 
+// Voxels as runs, in any order.
+typedef struct sfi_prop_runs {
+    sf_run *runs;
+    size_t capacity, count;
+} sfi_prop_runs;
+
 // What propping works with. The slices have no voxel between calls, but after a call that failed.
 typedef struct sfi_props {
     const sf_rule *rule;
     const sfi_footings *prices;
     sf_allocator allocator;
-    sf_slice need, next; // what is to be carried, in this layer and in the one below
+    sf_slice need, next; // what is yet to be carried, in this layer and in the one below
+    sf_slice seen;       // where places were looked for
+    sfi_prop_runs asked, next_asked; // what there was to be carried, in both
     sfi_prop_place *places;
     size_t capacity, count;
     sf_grid *added; // where what is added is drawn, or NULL
