@@ -76,8 +76,11 @@ exit_status judge(cli_job *job, const part *p, judgement *j)
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
     }
-    exit_status priced = price(job, p, j);
-    return priced == EXIT_GOOD ? hollows_find(job, p, &j->hollows) : priced;
+    exit_status done = price(job, p, j);
+    if (done == EXIT_GOOD) {
+        done = groups_make(job, j->findings, j->costs, j->finding_count, &j->groups);
+    }
+    return done == EXIT_GOOD ? hollows_find(job, p, &j->hollows) : done;
 }
 
 void judgement_release(judgement *j)
@@ -85,6 +88,7 @@ void judgement_release(judgement *j)
     free(j->findings);
     free(j->costs);
     free(j->order);
+    groups_release(&j->groups);
     hollows_release(&j->hollows);
     memset(j, 0, sizeof *j);
 }
@@ -143,6 +147,20 @@ static void report_findings(report *r, const sf_lattice *lattice, const judgemen
     report_end(r);
 }
 
+// What the sentences count.
+static void report_groups(report *r, const groups *g)
+{
+    report_begin(r, "places");
+    report_count(r, "overhangs", groups_count(g, SF_FINDING_OVERHANG));
+    report_count(r, "islands", groups_count(g, SF_FINDING_ISLAND));
+    report_begin(r, "crumbs");
+    report_count(r, "most_voxels", g->crumb_most);
+    report_count(r, "count", g->crumbs[0] + g->crumbs[1]);
+    report_count(r, "voxels", g->crumb_voxels);
+    report_end(r);
+    report_end(r);
+}
+
 static void report_fields(report *r, const sf_lattice *lattice, const judgement *j)
 {
     const sf_check_report *c = &j->counts;
@@ -154,17 +172,18 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
     report_flag(r, "support_free", c->support_free);
     report_findings(r, lattice, j, j->ranks);
     report_count(r, "findings_dropped", c->findings_dropped);
+    report_groups(r, &j->groups);
 }
 
 // ---------------------------------------------------------------------------------------------
 // Sentences
 // ---------------------------------------------------------------------------------------------
 
-static void say_finding(report *r, const sf_lattice *lattice, const judgement *j, size_t index,
-                        double voxel_mm3)
+static void say_group(report *r, const sf_lattice *lattice, const groups *g, size_t index,
+                      double voxel_mm3)
 {
-    const sf_finding *f = &j->findings[index];
-    uint64_t grow = j->costs[index].grow_voxels;
+    const sf_finding *f = &g->heads[index];
+    uint64_t grow = g->costs[index].grow_voxels;
     char fix[64] = "";
     char where[PLACE_WORDS_SIZE], volume[DESCRIBE_MM3_SIZE], below[DESCRIBE_MM3_SIZE];
     if (grow != SF_COST_NONE) {
@@ -176,38 +195,95 @@ static void say_finding(report *r, const sf_lattice *lattice, const judgement *j
                describe_mm3((double)f->volume * voxel_mm3, volume), fix);
 }
 
-// The findings that cost most to fix, one by one, and the others in one line.
-static void say_findings(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3,
-                         size_t most)
+// "812 places of at most 3 voxels"; empty where there are none.
+enum { WORDS_SIZE = 64 };
+static void name_crumbs(const groups *g, char words[WORDS_SIZE])
+{
+    uint64_t count = g->crumbs[0] + g->crumbs[1];
+    words[0] = '\0';
+    if (count > 0) {
+        snprintf(words, WORDS_SIZE, "%llu place%s of at most %u voxel%s", (unsigned long long)count,
+                 count == 1 ? "" : "s", g->crumb_most, g->crumb_most == 1 ? "" : "s");
+    }
+}
+
+// Those that were not said, in one line: `rest` and crumbs.
+static void say_others(report *r, const groups *g, double voxel_mm3, uint64_t rest,
+                       uint64_t rest_voxels, const char *all)
+{
+    char less[96] = "", few[128] = "", crumbs[WORDS_SIZE], volume[DESCRIBE_MM3_SIZE];
+    name_crumbs(g, crumbs);
+    if (rest > 0) {
+        snprintf(less, sizeof less, "and %llu that cost%s less, %s together%s",
+                 (unsigned long long)rest, rest == 1 ? "s" : "",
+                 describe_mm3((double)rest_voxels * voxel_mm3, volume),
+                 crumbs[0] != '\0' ? ", " : "");
+    }
+    if (crumbs[0] != '\0') {
+        snprintf(few, sizeof few, "and %s, %s together", crumbs,
+                 describe_mm3((double)g->crumb_voxels * voxel_mm3, volume));
+    }
+    report_say(r, "  %s%s (--json lists %s)", less, few, all);
+}
+
+// The places that cost most to fix, one by one, and the others in one line.
+static void say_groups(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3,
+                       size_t most)
 {
     const sf_check_report *c = &j->counts;
-    size_t count = j->finding_count < most ? j->finding_count : most;
-    uint64_t rest = c->island_count + c->overhang_count - count, said = 0;
-    for (size_t i = 0; i < count; i++) {
-        say_finding(r, lattice, j, j->order[i], voxel_mm3);
-        said += j->findings[j->order[i]].volume;
+    const groups *g = &j->groups;
+    uint64_t said = 0, said_voxels = 0;
+    for (size_t i = 0; i < g->count && said < most; i++) {
+        if (!groups_is_crumb(g, g->order[i])) {
+            say_group(r, lattice, g, g->order[i], voxel_mm3);
+            said_voxels += g->heads[g->order[i]].volume;
+            said++;
+        }
     }
-    if (rest > 0) {
-        char together[DESCRIBE_MM3_SIZE];
-        report_say(r, "  and %llu that cost%s less, %s together (--json lists %s)",
-                   (unsigned long long)rest, rest == 1 ? "s" : "",
-                   describe_mm3((double)(c->trimmed_voxels - said) * voxel_mm3, together),
+    uint64_t others = groups_count(g, SF_FINDING_OVERHANG) + groups_count(g, SF_FINDING_ISLAND) +
+                      c->findings_dropped;
+    // Where there are crumbs only, the verdict has said it.
+    if (others > said || (said > 0 && g->crumb_voxels > 0)) {
+        say_others(r, g, voxel_mm3, others - said,
+                   c->trimmed_voxels - g->crumb_voxels - said_voxels,
                    c->findings_dropped > 0 ? "65536" : "all");
     }
 }
 
-static void say_verdict(report *r, const sf_check_report *c)
+static const char *name_count(uint64_t count, const char *name, char words[WORDS_SIZE])
 {
+    words[0] = '\0';
+    if (count > 0) {
+        snprintf(words, WORDS_SIZE, "%llu %s%s", (unsigned long long)count, name,
+                 count == 1 ? "" : "s");
+    }
+    return words;
+}
+
+static void say_verdict(report *r, const judgement *j)
+{
+    const sf_check_report *c = &j->counts;
+    char words[4][WORDS_SIZE], list[4 * WORDS_SIZE + 24] = "";
     if (c->support_free) {
         report_say(r, "It prints without supports.");
         return;
     }
-    report_say(r,
-               "It does not print without supports: %llu overhang%s and %llu island%s; %.3g %% "
-               "of its matter cannot print.",
-               (unsigned long long)c->overhang_count, c->overhang_count == 1 ? "" : "s",
-               (unsigned long long)c->island_count, c->island_count == 1 ? "" : "s",
-               100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
+    name_count(groups_count(&j->groups, SF_FINDING_OVERHANG), "overhang", words[0]);
+    name_count(groups_count(&j->groups, SF_FINDING_ISLAND), "island", words[1]);
+    name_count(c->findings_dropped, "further region", words[2]);
+    name_crumbs(&j->groups, words[3]);
+    for (int i = 0, left = 0; i < 4; i++, left = 0) {
+        for (int k = i + 1; k < 4; k++) {
+            left += words[k][0] != '\0';
+        }
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", words[i],
+                 words[i][0] == '\0' || left == 0 ? ""
+                 : left == 1                      ? " and "
+                                                  : ", ");
+    }
+    report_say(r, "It does not print without supports: %s; %.3g %% of its matter cannot print.",
+               list, 100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
 }
 
 void judgement_report(cli_job *job, const part *p, const judgement *j, size_t said)
@@ -216,7 +292,7 @@ void judgement_report(cli_job *job, const part *p, const judgement *j, size_t sa
     sf_lattice lattice = sf_grid_lattice(p->grid);
     report_fields(r, &lattice, j);
     report_number(r, "volume_mm3", describe_volume(p->grid));
-    say_verdict(r, &j->counts);
-    say_findings(r, &lattice, j, place_voxel_mm3(p->grid), said);
+    say_verdict(r, j);
+    say_groups(r, &lattice, j, place_voxel_mm3(p->grid), said);
     hollows_report(job, p, &j->hollows);
 }

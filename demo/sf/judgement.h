@@ -4,6 +4,7 @@
 #ifndef DEMO_SF_JUDGEMENT_H
 #define DEMO_SF_JUDGEMENT_H
 
+#include "groups.h"
 #include "hollows.h"
 #include "part.h"
 
@@ -14,6 +15,7 @@ typedef struct judgement {
     uint32_t *order, *ranks; // findings, the dearest first; the place of each in that order
     size_t finding_count;
     int priced; // whether costs knows what growing takes
+    groups groups;
     hollows hollows;
 } judgement;
 

@@ -35,6 +35,8 @@ static const option_entry table[] = {
      "fast (default), irredundant (keep the least) or core (keep it thick)"},
     {OPTION_MIN_FEATURE, "min-feature", 0, "MM", "added matter is that wide, where there is room"},
     {OPTION_STEEPEST, "steepest", 0, NULL, "also look for the steepest overhang"},
+    {OPTION_CRUMBS, "crumbs", 0, "N",
+     "places of at most N voxels are summed up, not named (default 8)"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
     {OPTION_UNITS, "units", 0, "UNIT", "unit of the input: mm (default), cm, m, in"},
     {OPTION_SCALE, "scale", 0, "F", "make the part F times as large"},

@@ -39,7 +39,8 @@ enum {
     OPTION_REMOVE = 1 << 23,
     OPTION_MODE = 1 << 24,
     OPTION_MIN_FEATURE = 1 << 25,
-    OPTION_STEEPEST = 1 << 26
+    OPTION_STEEPEST = 1 << 26,
+    OPTION_CRUMBS = 1 << 27
 };
 
 typedef struct cli_options {
@@ -70,6 +71,7 @@ typedef struct cli_options {
     double min_feature_mm; // 0: none
     sf_preserve_mode mode;
     int steepest;
+    uint32_t crumbs; // places of at most that many voxels are not named
 } cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.

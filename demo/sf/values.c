@@ -208,6 +208,10 @@ static int parse_bounded(uint32_t bit, const char *text, cli_options *made)
         good = parse_count(text, 1, 1000, &number);
         made->count = good ? (uint32_t)number : 0;
         return good;
+    case OPTION_CRUMBS:
+        good = parse_count(text, 0, 1e9, &number);
+        made->crumbs = good ? (uint32_t)number : 0;
+        return good;
     case OPTION_SMOOTH:
         good = parse_count(text, 0, 100, &number);
         made->smooth = good ? (int)number : 0;
@@ -275,5 +279,6 @@ cli_options values_default(void)
     made.pixels[0] = 1200;
     made.pixels[1] = 900;
     made.count = 5;
+    made.crumbs = 8;
     return made;
 }

@@ -18,7 +18,7 @@
 const verb_entry verbs_table[] = {
     {{"run", "check a part, make it printable in three ways, write a folder", "FILE", 1,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH | OPTION_VIEW |
-          OPTION_PIXELS | OPTION_MIN_FEATURE,
+          OPTION_PIXELS | OPTION_MIN_FEATURE | OPTION_CRUMBS,
       "  sf run\n  sf run part.stl --angle 50 -o printable\n",
       "folder for the results (default out)"},
      verb_run},
@@ -27,7 +27,7 @@ const verb_entry verbs_table[] = {
       "  sf info part.stl\n  sf info part.obj --units in --up +y --json\n  sf info layers\n", NULL},
      verb_info},
     {{"check", "does it print without supports, and where not?", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST | OPTION_CRUMBS,
       "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
       "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n",
       NULL},

@@ -7,7 +7,7 @@ run check scene:garden --resolution 96 --json
 for path in lattice.nx lattice.ny lattice.nz lattice.pitch_mm.1 lattice.layer_mm lattice.origin_mm.2 \
     solid_voxels unsupported_voxels trimmed_voxels island_count support_free volume_mm3 \
     findings.0.kind findings.0.layer findings.0.high_mm.2 findings.0.grow_voxels \
-    findings.0.trim_voxels findings.0.rank voids.traps voids.cups voids.cup_voxels rule.kind rule.angle_deg warnings summary; do
+    findings.0.trim_voxels findings.0.rank places.crumbs.most_voxels voids.traps voids.cups voids.cup_voxels rule.kind rule.angle_deg warnings summary; do
     value $path >/dev/null
     ok $? "check reports $path"
 done
@@ -24,6 +24,29 @@ done
 same $sum "$trimmed" "the findings add up to what a trim takes away"
 ranks=$(j=0; while [ $j -lt $i ]; do value findings.$j.rank; j=$((j + 1)); done | sort -n | uniq | wc -l)
 same $((ranks)) $i "every finding has a rank of its own"
+
+# What follows from a finding is one place with it, and places that lose little are only summed up.
+i=0
+while kind=$(value findings.$i.kind 2>/dev/null); do
+    echo "$i $kind $(value findings.$i.volume_voxels) $(value findings.$i.cause)"
+    i=$((i + 1))
+done >findings
+for most in 0 8 40 1000000; do
+    exits 1 check scene:garden --resolution 96 --crumbs $most --json
+    expected=$(awk -v most=$most '{ root[$1] = $4 == "null" ? $1 : root[$4]; kind[$1] = $2; sum[root[$1]] += $3 }
+        END { for (r in sum) if (sum[r] > most) large[kind[r]]++; else { small++; voxels += sum[r] }
+              print large["overhang"] + 0, large["island"] + 0, small + 0, voxels + 0 }' findings)
+    same "$(value places.overhangs) $(value places.islands) $(value places.crumbs.count) $(value places.crumbs.voxels)" \
+        "$expected" "places, and those of at most $most voxels"
+    same "$(value trimmed_voxels) $(value findings)" "$trimmed $i" "findings are all listed"
+    run check scene:garden --resolution 96 --crumbs $most
+    # shellcheck disable=SC2086
+    set -- $expected
+    named=$(($1 + $2 < 4 ? $1 + $2 : 4))
+    same "$(grep -Ec '^  (overhang|island)' stdout)" $named "the dearest are named"
+    [ $3 -eq 0 ] || grep -q "supports: .*\b$3 places of at most $most voxels; " stdout
+    ok $? "and $3 are not: $(sed -n 2p stdout)"
+done
 
 run check scene:garden --pitch 1,1.6,0.8 --json
 same "$(value rule.kind)" slack "on oblong pixels the rule is slack"
