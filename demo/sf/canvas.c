@@ -28,7 +28,8 @@ void canvas_destroy(canvas *c)
     c->pixels = NULL;
 }
 
-void canvas_blend(canvas *c, int x, int y, colour ink, uint8_t alpha)
+// Mix `ink` over a pixel; alpha 255 covers it.
+static void blend(canvas *c, int x, int y, colour ink, uint8_t alpha)
 {
     if (x < 0 || y < 0 || (uint32_t)x >= c->width || (uint32_t)y >= c->height) {
         return;
@@ -44,7 +45,7 @@ void canvas_fill(canvas *c, int x0, int y0, int x1, int y1, colour ink)
 {
     for (int y = y0; y < y1; y++) {
         for (int x = x0; x < x1; x++) {
-            canvas_blend(c, x, y, ink, 255);
+            blend(c, x, y, ink, 255);
         }
     }
 }
@@ -58,7 +59,7 @@ static void blend_mask(canvas *c, cairo_surface_t *mask, int left, int top, colo
     int stride = cairo_image_surface_get_stride(mask);
     for (int y = 0; y < height; y++) {
         for (int x = 0; x < width; x++) {
-            canvas_blend(c, left + x, top + y, ink, rows[y * stride + x]);
+            blend(c, left + x, top + y, ink, rows[y * stride + x]);
         }
     }
 }

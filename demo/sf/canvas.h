@@ -22,9 +22,6 @@ void canvas_destroy(canvas *c);
 // Fill x0 <= x < x1, y0 <= y < y1, as far as it lies on the canvas.
 void canvas_fill(canvas *c, int x0, int y0, int x1, int y1, colour ink);
 
-// Mix `ink` over a pixel; alpha 255 covers it.
-void canvas_blend(canvas *c, int x, int y, colour ink, uint8_t alpha);
-
 // Where text stands about its point.
 typedef enum text_align { TEXT_LEFT, TEXT_CENTRE } text_align;
 

@@ -25,6 +25,20 @@ static void choose_pitch(const cli_options *asked, const double size_mm[3], doub
     }
 }
 
+// Refuse a lattice whose grid would take more memory than --memory allows.
+static exit_status check_memory(cli_job *job, const sf_lattice *lattice)
+{
+    double mib = 8.0 * (double)sf_slice_stride(lattice->nx) * lattice->ny * lattice->nz / 1048576;
+    if (mib <= job->options.memory_mib) {
+        return EXIT_GOOD;
+    }
+    return job_fail(
+        job, EXIT_RESOURCE,
+        "A grid of %u x %u x %u voxels takes %.0f MiB, and --memory allows %.0f; take a "
+        "coarser --pitch, a lower --resolution, or --memory %.0f.",
+        lattice->nx, lattice->ny, lattice->nz, ceil(mib), job->options.memory_mib, ceil(mib));
+}
+
 exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
                            sf_lattice *lattice, uint32_t *lift)
 {
@@ -64,18 +78,5 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
                         "check --pitch, --size, --scale and --units.",
                         pitch_mm[0], pitch_mm[1], pitch_mm[2], size_mm[0], size_mm[1], size_mm[2]);
     }
-    return lattice_check_memory(job, lattice);
-}
-
-exit_status lattice_check_memory(cli_job *job, const sf_lattice *lattice)
-{
-    double mib = 8.0 * (double)sf_slice_stride(lattice->nx) * lattice->ny * lattice->nz / 1048576;
-    if (mib <= job->options.memory_mib) {
-        return EXIT_GOOD;
-    }
-    return job_fail(
-        job, EXIT_RESOURCE,
-        "A grid of %u x %u x %u voxels takes %.0f MiB, and --memory allows %.0f; take a "
-        "coarser --pitch, a lower --resolution, or --memory %.0f.",
-        lattice->nx, lattice->ny, lattice->nz, ceil(mib), job->options.memory_mib, ceil(mib));
+    return check_memory(job, lattice);
 }

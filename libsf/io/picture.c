@@ -59,7 +59,7 @@ sf_status sfi_picture_fault(sf_fault *fault, sf_status status, const char *name,
 
 // --- PBM -----------------------------------------------------------------------------------------
 
-sf_status sfi_pbm_write(sf_slice slice, sf_sink sink)
+static sf_status pbm_write(sf_slice slice, sf_sink sink)
 {
     unsigned char packed[SFI_PICTURE_ROW_BYTES];
     sfi_emitter out;
@@ -92,7 +92,7 @@ static void pbm_word(sfi_cursor *cursor, char token[SFI_TOKEN_SIZE])
     }
 }
 
-static sf_status pbm_read(sfi_cursor *cursor, const char *name, sf_slice slice, int check_only,
+static sf_status read_pbm(sfi_cursor *cursor, const char *name, sf_slice slice, int check_only,
                           sf_fault *fault)
 {
     char token[SFI_TOKEN_SIZE];
@@ -121,13 +121,13 @@ static sf_status pbm_read(sfi_cursor *cursor, const char *name, sf_slice slice, 
     return SF_OK;
 }
 
-sf_status sfi_pbm_read(sf_source source, const sf_allocator *allocator, const char *name,
-                       sf_slice slice, int check_only, sf_fault *fault)
+static sf_status pbm_read(sf_source source, const sf_allocator *allocator, const char *name,
+                          sf_slice slice, int check_only, sf_fault *fault)
 {
     sfi_cursor cursor;
     sf_status status = sfi_cursor_begin(&cursor, source, UINT64_MAX, allocator);
     if (status == SF_OK) {
-        status = pbm_read(&cursor, name, slice, check_only, fault);
+        status = read_pbm(&cursor, name, slice, check_only, fault);
     }
     sfi_cursor_end(&cursor);
     return status;
@@ -137,12 +137,12 @@ sf_status sfi_pbm_read(sf_source source, const sf_allocator *allocator, const ch
 
 sf_status sfi_picture_write(sfi_picture_kind kind, sf_slice slice, sf_sink sink)
 {
-    return kind == SFI_PICTURE_PNG ? sfi_png_write(slice, sink) : sfi_pbm_write(slice, sink);
+    return kind == SFI_PICTURE_PNG ? sfi_png_write(slice, sink) : pbm_write(slice, sink);
 }
 
 sf_status sfi_picture_read(sfi_picture_kind kind, sf_source source, const sf_allocator *allocator,
                            const char *name, sf_slice slice, int check_only, sf_fault *fault)
 {
-    return (kind == SFI_PICTURE_PNG ? sfi_png_read : sfi_pbm_read)(source, allocator, name, slice,
-                                                                   check_only, fault);
+    return (kind == SFI_PICTURE_PNG ? sfi_png_read : pbm_read)(source, allocator, name, slice,
+                                                               check_only, fault);
 }

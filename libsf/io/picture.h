@@ -29,10 +29,7 @@ void sfi_picture_unpack(sf_slice slice, uint32_t y, int invert, const unsigned c
 sf_status sfi_picture_fault(sf_fault *fault, sf_status status, const char *name,
                             const char *sentence);
 
-// The two formats. The functions for PNG return SF_ERR_UNSUPPORTED in a build without libspng.
-sf_status sfi_pbm_write(sf_slice slice, sf_sink sink);
-sf_status sfi_pbm_read(sf_source source, const sf_allocator *allocator, const char *name,
-                       sf_slice slice, int check_only, sf_fault *fault);
+// PNG; SF_ERR_UNSUPPORTED in a build without libspng.
 sf_status sfi_png_write(sf_slice slice, sf_sink sink);
 sf_status sfi_png_read(sf_source source, const sf_allocator *allocator, const char *name,
                        sf_slice slice, int check_only, sf_fault *fault);

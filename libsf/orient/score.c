@@ -47,7 +47,7 @@ static int lies_below(sf_mesh_view mesh, const uint32_t *triangle, const double 
     return 1;
 }
 
-sfi_cheap sfi_score(const sfi_facing *facing, const double up[3])
+static sfi_cheap score(const sfi_facing *facing, const double up[3])
 {
     sf_mesh_view mesh = facing->mesh;
     double low, high, sum = 0;
@@ -78,7 +78,7 @@ static void score_piece(void *context, size_t index)
     const piece *p = context;
     size_t end = (index + 1) * DIRECTIONS_A_PIECE;
     for (size_t i = index * DIRECTIONS_A_PIECE; i < end && i < p->count; i++) {
-        p->scores[i] = sfi_score(p->facing, p->up[i]);
+        p->scores[i] = score(p->facing, p->up[i]);
     }
 }
 

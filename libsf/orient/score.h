@@ -21,10 +21,7 @@ typedef struct sfi_cheap {
     double unsupported_mm2, height_mm, score;
 } sfi_cheap;
 
-// O(vertices + triangles).
-sfi_cheap sfi_score(const sfi_facing *facing, const double up[3]);
-
-// The same for all directions, on the task's threads.
+// For all directions, on the task's threads; O(vertices + triangles) for each.
 void sfi_score_all(const sfi_facing *facing, const double (*up)[3], size_t count, sf_task *task,
                    sfi_cheap *scores);
 

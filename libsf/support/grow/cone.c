@@ -166,7 +166,8 @@ static void step_below(const sfi_window *window, sf_element *e)
     (void)!sf_rule_element(&window->cone->rule, window->cone->top - window->depth, e);
 }
 
-sfi_window sfi_window_shorten(const sfi_window *window)
+// The window one step shorter.
+static sfi_window shorten(const sfi_window *window)
 {
     if (!is_closed_form(&window->cone->rule)) {
         return window_at(window->cone, window->depth - 1, 0, 0);
@@ -220,7 +221,7 @@ void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_vox
     while (here.depth > 1) {
         sf_element e;
         step_below(&here, &e);
-        sfi_window before = sfi_window_shorten(&here);
+        sfi_window before = shorten(&here);
         offset s = choose_step(&before, &e, d, here.depth);
         d.x -= s.x;
         d.y -= s.y;

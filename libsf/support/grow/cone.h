@@ -44,9 +44,6 @@ sf_status sfi_cone_deepen(sfi_cone *cone, sfi_window *window);
 // SFI_WINDOW_NONE.
 uint32_t sfi_window_half_width(const sfi_window *window, uint32_t dy);
 
-// The window one step shorter.
-sfi_window sfi_window_shorten(const sfi_window *window);
-
 // Write the voxels of a chain down from `from` to `to`, both left out, window->depth layers apart
 // and within the window: each step lies in its layer's element.
 void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_voxel *chain);

@@ -295,7 +295,8 @@ sf_status sfi_complete_into(sf_grid *to, const sfi_completion *c, const sf_alloc
     return status;
 }
 
-void sfi_grid_assign(sf_grid *to, const sf_grid *from)
+// Copy all voxels; both have one size.
+static void assign(sf_grid *to, const sf_grid *from)
 {
     uint32_t nz = sf_grid_lattice(from).nz;
     for (uint32_t k = 0; k < nz; k++) {
@@ -319,7 +320,7 @@ sf_status sf_grid_complete(const sf_grid *shape, const sf_grid *needed, const sf
     SF_TRY(sf_grid_create(&ground.lattice, allocator, &made));
     sf_status status = sfi_complete_into(made, &completion, allocator, task);
     if (status == SF_OK) {
-        sfi_grid_assign(result, made);
+        assign(result, made);
     }
     sf_grid_destroy(made);
     return status;

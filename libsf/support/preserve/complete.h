@@ -21,7 +21,4 @@ typedef struct sfi_completion {
 sf_status sfi_complete_into(sf_grid *to, const sfi_completion *completion,
                             const sf_allocator *allocator, sf_task *task);
 
-// Copy all voxels; both have one size.
-void sfi_grid_assign(sf_grid *to, const sf_grid *from);
-
 #endif

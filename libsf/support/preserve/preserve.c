@@ -128,7 +128,7 @@ static sf_status complete_to(const sfi_removal *r, const sf_grid *needed, sf_gri
     return sfi_spare(result, needed, r->terms, r->bed, r->allocator, r->task);
 }
 
-sf_status sfi_preserve_complete(const sfi_removal *r, sf_preserve_report *report)
+static sf_status by_complete(const sfi_removal *r, sf_preserve_report *report)
 {
     sf_lattice lattice = sf_grid_lattice(r->grid);
     sf_rect all = {0, 0, lattice.nx, lattice.ny};
@@ -232,7 +232,7 @@ static sf_status run_mode(const sfi_removal *r, sf_preserve_report *report)
     if (mode == SF_PRESERVE_FAST && sfi_rule_is_element(&r->terms->rule)) {
         return sfi_preserve_fast(r, report);
     }
-    return sfi_preserve_complete(r, report);
+    return by_complete(r, report);
 }
 
 // With exempt voxels and a shape of its own where the options ask for them.

@@ -25,9 +25,8 @@ typedef struct sfi_removal {
 void sfi_removal_split(const sfi_removal *removal, const sf_grid *from, uint32_t k, sf_rect part,
                        sf_slice taken, sf_slice rest);
 
-// The modes: each does the edit, or fails and leaves the grid as it was.
+// Modes with a file of their own: each does the edit, or fails and leaves the grid as it was.
 sf_status sfi_preserve_fast(const sfi_removal *removal, sf_preserve_report *report);
-sf_status sfi_preserve_complete(const sfi_removal *removal, sf_preserve_report *report);
 sf_status sfi_preserve_paper(const sfi_removal *removal, sf_preserve_report *report);
 
 // A task for a part of the work, which heeds the host's cancel and reports nothing, so that

@@ -59,7 +59,7 @@ sf_status sfi_layer_add(const sfi_job *job, sfi_layer *layer, uint32_t at, int64
     return SF_OK;
 }
 
-void sfi_layer_destroy(const sfi_job *job, sfi_layer *layer)
+static void destroy_layer(const sfi_job *job, sfi_layer *layer)
 {
     sfi_free_array(job->allocator, layer->nodes, layer->capacity, sizeof *layer->nodes);
     *layer = (sfi_layer){0};
@@ -321,8 +321,8 @@ static void forest_destroy(forest *f)
     sfi_free_array(job->allocator, f->carried.words, f->carried.height, row);
     sfi_free_array(job->allocator, f->first, job->lattice.nz, sizeof *f->first);
     sfi_free_array(job->allocator, f->records, f->capacity, sizeof *f->records);
-    sfi_layer_destroy(job, &f->here);
-    sfi_layer_destroy(job, &f->low);
+    destroy_layer(job, &f->here);
+    destroy_layer(job, &f->low);
     sfi_chooser_destroy(&f->chooser);
 }
 

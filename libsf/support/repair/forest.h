@@ -39,7 +39,6 @@ typedef struct sfi_candidate {
 // Add a node. SF_ERR_MEMORY; SF_ERR_OVERFLOW beyond 2^31 - 3 nodes.
 sf_status sfi_layer_add(const sfi_job *job, sfi_layer *layer, uint32_t at, int64_t profit,
                         int16_t least, int forced);
-void sfi_layer_destroy(const sfi_job *job, sfi_layer *layer);
 
 // What the choice works with: planes of the layer below, and planes and arrays of its own.
 typedef struct sfi_chooser {
