@@ -152,7 +152,8 @@ void sfi_row_set(uint64_t *words, uint32_t x0, uint32_t x1)
     words[last] |= tail;
 }
 
-void sfi_row_fill(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *words)
+// From its changes.
+static void fill_row(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *words)
 {
     uint32_t nx = (uint32_t)(lane->voxel_count - 1), start = nx;
     int32_t winding = 0;
@@ -182,7 +183,7 @@ void sfi_lane_fill(sfi_lane *lane, size_t row, sf_fill fill, uint64_t *words)
 {
     uint32_t count = lane->crossings.row_counts[row];
     if (count > SFI_SORT_MAX || lane->spilled) {
-        sfi_row_fill(lane, sfi_lane_row(lane, row), fill, words);
+        fill_row(lane, sfi_lane_row(lane, row), fill, words);
         return;
     }
     uint32_t nx = (uint32_t)(lane->voxel_count - 1), start = nx;

@@ -40,11 +40,9 @@ void sfi_lane_spill(sfi_lane *lane);
 void sfi_lane_sort(sfi_lane *lane, size_t rows);
 size_t sfi_lane_row(sfi_lane *lane, size_t row);
 
-// Write one row: solid where the number of changes is odd (SF_FILL_PARITY), or where their sum is
-// at least 1. Counts solid voxels, and the row itself when its changes do not add up to nothing.
-void sfi_row_fill(sfi_lane *lane, size_t change_count, sf_fill fill, uint64_t *words);
-
-// The same for a row of a sorted window that is not spilled, straight from its steps.
+// Write a row of a sorted window: solid where the number of changes is odd (SF_FILL_PARITY), or
+// where their sum is at least 1. Counts solid voxels, and the row itself when its changes do not
+// add up to nothing.
 void sfi_lane_fill(sfi_lane *lane, size_t row, sf_fill fill, uint64_t *words);
 
 // Set the voxels x0 <= x < x1 of a row.

@@ -96,7 +96,8 @@ static void settle_row(const sfi_growth *g, uint32_t k, uint32_t y, uint16_t *ro
     }
 }
 
-sf_status sfi_growth_price(sfi_growth *g)
+// Fill g->price.
+static sf_status fill_prices(sfi_growth *g)
 {
     sf_rule rule = price_rule(&g->site.plain);
     for (uint32_t k = g->site.bed; k < g->site.lattice.nz; k++) {
@@ -299,7 +300,7 @@ static sf_status grow(sfi_growth *g)
         g->alive = NULL; // the bits of the shape tell; its memory is for the check
     }
     sf_status status = create_run(g);
-    status = status == SF_OK ? sfi_growth_price(g) : status;
+    status = status == SF_OK ? fill_prices(g) : status;
     status = status == SF_OK ? run_all(g) : status;
     g->alive = check;
     SF_TRY(status);

@@ -44,9 +44,6 @@ enum {
     SFI_GROW_BITS = 5
 };
 
-// Fill g->price.
-sf_status sfi_growth_price(sfi_growth *g);
-
 // Before the first layer of a run.
 sf_status sfi_growth_begin(sfi_growth *g);
 
