@@ -77,7 +77,7 @@ def in_body(line):
     return SOURCE.replace("    return", f"    {line}\n    return")
 
 
-# What to spoil (file and its new text), and a word of the sentence of the check that must bite.
+# What to spoil (files and their new texts), and a word of the sentence of the check that must bite.
 SPOILT = [
     ("export what", "libsf.so", TREE["libsf.so"] + "00 T sf_more\n"),
     ("export what", "libsf.so", "         U malloc\n"),
@@ -91,6 +91,12 @@ SPOILT = [
     ("@return names", BASE, HEADER.replace("; SF_ERR_MEMORY.", ".")),
     ("@return names", DO, after_head("static int more(void)\n{\n    return SF_ERR_MORE;\n}\n")
      .replace("? SF_ERR_MEMORY", "? more()")),
+    ("one file alone", DO, after_head("int sfi_more(void)\n{\n    return 1;\n}\n")
+     .replace("times > 3", "times > sfi_more()")),
+    ("one file alone", DO, after_head("static int sfi_more(void)\n{\n    return 1;\n}\n")
+     .replace("times > 3", "times > sfi_more()")),
+    ("one file alone", "libsf/base/more.h", "int sfi_do(void);\n", DO,
+     after_head("int sfi_do(void)\n{\n    return 1;\n}\n")),
     ("longer than 500", DO, SOURCE + "// more\n" * 500),
     ("longer than 60", DO, SOURCE.replace("    return", "    times++;\n" * 60 + "    return")),
     ("opens with its licence", DO, SOURCE.replace("SPDX", "SPXD")),
@@ -162,9 +168,9 @@ def main():
     clean, output = judge(TREE)
     tell(clean and "not ok" not in clean.values(), "a project that keeps the rules passes", output)
     for sentence in clean:
-        tell(any(word in sentence for word, _, _ in SPOILT), f"there is a spoiler for: {sentence}", "")
-    for word, name, text in SPOILT:
-        found, output = judge({**TREE, name: text})
+        tell(any(word in sentence for word, *_ in SPOILT), f"there is a spoiler for: {sentence}", "")
+    for word, name, text, *more in SPOILT:
+        found, output = judge({**TREE, name: text, **dict(zip(more[::2], more[1::2]))})
         verdicts = [v for sentence, v in found.items() if word in sentence]
         bites = verdicts == ["not ok"] or (verdicts == ["skip"] and word == "clang-format")
         tell(bites and text != TREE.get(name), f"bites: {word}, {name}", output)

@@ -203,6 +203,26 @@ def check_returns():
     return bad
 
 
+def check_static():
+    """A function that one file alone uses is static there, and static ones have no prefix."""
+    public = {f.name for f in FUNCTIONS} | {"main", "LLVMFuzzerTestOneInput"}
+    code = {path: re.sub(r"//[^\n]*|/\*.*?\*/", "", read(path), flags=re.S) for path in SOURCES}
+    # A header that declares a function does not use it.
+    words = {path: set(re.findall(r"\b[A-Za-z]\w+\b", re.sub(r"^[A-Za-z][^;{}#=]*\([^;{}]*\);", "", text,
+                                                            flags=re.M) if path.endswith(".h") else text))
+             for path, text in code.items()}
+    bad, homes = [], {}
+    for path in SOURCES:
+        for name, is_static, _ in functions_of(path):
+            if is_static and path.endswith(".c") and re.match(r"sfi?_", name):
+                bad.append(f"{path}: {name} is static, and named as if it were not")
+            elif not is_static and name not in public and not name.isupper():
+                homes.setdefault(name, set()).add(path)
+    bad += [f"{', '.join(sorted(paths))}: nobody else uses {name}" for name, paths in homes.items()
+            if not any(name in words[path] for path in SOURCES if path not in paths)]
+    return bad
+
+
 # --- how long things are, how they begin, how they look ----------------------------------------
 
 
@@ -392,7 +412,7 @@ def check_readme():
 
 
 def main():
-    checks = [check_exports, check_libc, check_doc_comments, check_codes, check_returns, check_files,
+    checks = [check_exports, check_libc, check_doc_comments, check_codes, check_returns, check_static, check_files,
               check_functions, check_heads, check_guards, check_looks, check_names, check_language,
               check_format, check_floors, check_lists, check_version, check_readme]
     failures = 0
