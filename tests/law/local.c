@@ -44,8 +44,8 @@ static void every_flip_trimmed_in_its_box(void)
     tiny t = tiny_new(5, 1, 2, &rule);
     sf_lattice lattice = stack_lattice(5, 1, 2);
     sf_grid *drawn = NULL, *printable = NULL;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &drawn), SF_OK);
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &printable), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &drawn), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &printable), SF_OK);
     for (uint32_t a = 0; a < t.count; a++) {
         for (uint32_t v = 0; v < 10; v++) {
             tiny_write(&t, drawn, a ^ (1u << v));

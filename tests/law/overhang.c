@@ -47,7 +47,7 @@ static int is_free(const sf_grid *grid, uint64_t reach)
     sf_rule rule = {.kind = SF_RULE_DISK, .reach_x_q24 = reach << 8, .reach_y_q24 = reach << 8};
     o.rule = rule;
     o.bed_layer = 0;
-    CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, &report, NULL), SF_OK);
+    CHECK_EQ(sf_grid_check(grid, &o, stack_allocator(), NULL, &report, NULL), SF_OK);
     return report.support_free;
 }
 

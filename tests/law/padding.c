@@ -104,7 +104,7 @@ static void grids_tell(twins t)
     CHECK_EQ(sf_grid_measure(t.clean, NULL, &p), SF_OK);
     CHECK_EQ(sf_grid_measure(t.soiled, NULL, &q), SF_OK);
     CHECK(memcmp(&p, &q, sizeof p) == 0);
-    CHECK_EQ(sf_grid_clone(t.soiled, NULL, &clone), SF_OK);
+    CHECK_EQ(sf_grid_clone(t.soiled, stack_allocator(), &clone), SF_OK);
     CHECK(sf_grid_equal(clone, t.clean) && grid_is_clean(clone));
     sf_grid_destroy(clone);
 }
@@ -135,14 +135,14 @@ static void grids_are_filled(twins t)
     sf_grid *into = NULL;
     sf_lattice lattice = sf_grid_lattice(t.clean);
     CHECK_EQ(sf_grid_surface(t.clean, NULL, NULL, NULL, &mesh), SF_OK);
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &into), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &into), SF_OK);
     sf_voxelize_options options = sf_voxelize_options_default();
     for (int fill = SF_FILL_AUTO; fill <= SF_FILL_SURFACE; fill++) {
         sf_voxelizer *voxelizer = NULL;
         sf_mesh_view view = sf_mesh_get_view(mesh);
         sf_grid *again = NULL;
         options.fill = (sf_fill)fill;
-        CHECK_EQ(sf_grid_create(&lattice, NULL, &again), SF_OK);
+        CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &again), SF_OK);
         CHECK_EQ(sf_grid_voxelize(again, view, &options, NULL, NULL, NULL), SF_OK);
         soil_grid(into);
         CHECK_EQ(sf_grid_voxelize(into, view, &options, NULL, NULL, NULL), SF_OK);
@@ -213,9 +213,9 @@ static void grids_are_checked(twins t, const sf_rule *rule)
     options.rule = *rule;
     options.finding_capacity = 256;
     options.findings = found[0];
-    CHECK_EQ(sf_grid_check(t.clean, &options, NULL, NULL, &a, &n[0]), SF_OK);
+    CHECK_EQ(sf_grid_check(t.clean, &options, stack_allocator(), NULL, &a, &n[0]), SF_OK);
     options.findings = found[1];
-    CHECK_EQ(sf_grid_check(t.soiled, &options, NULL, NULL, &b, &n[1]), SF_OK);
+    CHECK_EQ(sf_grid_check(t.soiled, &options, stack_allocator(), NULL, &b, &n[1]), SF_OK);
     CHECK_EQ(n[0], n[1]);
     same_report(&a, &b);
     same_findings(found[0], found[1], n[0] < n[1] ? n[0] : n[1]);
@@ -228,8 +228,8 @@ static void grids_are_trimmed(twins t, const sf_rule *rule)
 {
     sf_lattice l = sf_grid_lattice(t.clean);
     sf_grid *a = NULL, *b = NULL;
-    CHECK_EQ(sf_grid_clone(t.clean, NULL, &a), SF_OK);
-    CHECK_EQ(sf_grid_clone(t.soiled, NULL, &b), SF_OK);
+    CHECK_EQ(sf_grid_clone(t.clean, stack_allocator(), &a), SF_OK);
+    CHECK_EQ(sf_grid_clone(t.soiled, stack_allocator(), &b), SF_OK);
     soil_grid(b);
     CHECK_EQ(sf_grid_trim(a, rule, SF_BED_AUTO, NULL, NULL), SF_OK);
     CHECK_EQ(sf_grid_trim(b, rule, SF_BED_AUTO, NULL, NULL), SF_OK);

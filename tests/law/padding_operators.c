@@ -58,7 +58,8 @@ static counts shape_is_preserved(const given *g)
     sf_preserve_options options = sf_preserve_options_default();
     sf_preserve_report r = {0, 0, 0, 0};
     options.accept_unsupported = 1;
-    sf_status status = sf_grid_preserve(g->shape, g->other, &g->terms, &options, NULL, NULL, &r);
+    sf_status status =
+        sf_grid_preserve(g->shape, g->other, &g->terms, &options, stack_allocator(), NULL, &r);
     counts c = {status, {r.removed_voxels, r.kept_voxels, r.lost_outside, r.added_voxels}};
     return c;
 }
@@ -66,7 +67,7 @@ static counts shape_is_preserved(const given *g)
 static counts shape_is_trimmed_on_terms(const given *g)
 {
     sf_trim_report r = {0, 0, 0};
-    sf_status status = sf_grid_trim_on(g->shape, &g->terms, NULL, NULL, NULL, &r);
+    sf_status status = sf_grid_trim_on(g->shape, &g->terms, stack_allocator(), NULL, NULL, &r);
     counts c = {status, {r.kept_voxels, r.removed_voxels, r.bed_layer}};
     return c;
 }
@@ -111,8 +112,8 @@ static void operators_work(twins t, const sf_rule *rule)
             a.terms.forbid = other.clean;
             b.terms.forbid = other.soiled;
         }
-        CHECK_EQ(sf_grid_clone(t.clean, NULL, &a.shape), SF_OK);
-        CHECK_EQ(sf_grid_clone(t.soiled, NULL, &b.shape), SF_OK);
+        CHECK_EQ(sf_grid_clone(t.clean, stack_allocator(), &a.shape), SF_OK);
+        CHECK_EQ(sf_grid_clone(t.soiled, stack_allocator(), &b.shape), SF_OK);
         soil_grid(b.shape);
         counts p = all[i](&a), q = all[i](&b);
         CHECK_EQ(p.status, q.status);

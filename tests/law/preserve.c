@@ -25,8 +25,8 @@ static removals removals_new(int nx, int ny, int nz, const sf_rule *rule, sf_pre
     terms.bed_layer = 0;
     options.mode = mode;
     r.result = calloc((size_t)r.t.count * r.t.count, sizeof *r.result);
-    if (r.result == NULL || sf_grid_create(&lattice, NULL, &grid) != SF_OK ||
-        sf_grid_create(&lattice, NULL, &brush) != SF_OK) {
+    if (r.result == NULL || sf_grid_create(&lattice, stack_allocator(), &grid) != SF_OK ||
+        sf_grid_create(&lattice, stack_allocator(), &brush) != SF_OK) {
         abort();
     }
     for (uint32_t a = 0; a < r.t.count; a++) {
@@ -34,7 +34,9 @@ static removals removals_new(int nx, int ny, int nz, const sf_rule *rule, sf_pre
             sf_preserve_report report;
             tiny_write(&r.t, grid, a);
             tiny_write(&r.t, brush, d);
-            CHECK_EQ(sf_grid_preserve(grid, brush, &terms, &options, NULL, NULL, &report), SF_OK);
+            CHECK_EQ(
+                sf_grid_preserve(grid, brush, &terms, &options, stack_allocator(), NULL, &report),
+                SF_OK);
             uint32_t left = r.result[a * r.t.count + d] = tiny_read(&r.t, grid);
             CHECK_EQ(report.kept_voxels, tiny_volume(left & d));
             CHECK_EQ(report.removed_voxels, tiny_volume(d & ~left));
@@ -121,14 +123,14 @@ static void false_support(void)
     sf_grid *grid = NULL, *brush = NULL;
     sf_terms terms = sf_terms_default();
     terms.bed_layer = 0;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &brush), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &brush), SF_OK);
     for (int mode = SF_PRESERVE_FAST; mode <= SF_PRESERVE_CORE; mode++) {
         sf_preserve_options options = sf_preserve_options_default();
         options.mode = (sf_preserve_mode)mode;
         tiny_write(&t, grid, tiny_parse("#..|..#"));
         tiny_write(&t, brush, d);
-        CHECK_EQ(sf_grid_preserve(grid, brush, &terms, &options, NULL, NULL, NULL),
+        CHECK_EQ(sf_grid_preserve(grid, brush, &terms, &options, stack_allocator(), NULL, NULL),
                  SF_ERR_INFEASIBLE);
         CHECK_EQ(tiny_read(&t, grid), tiny_parse("#..|..#"));
     }

@@ -29,7 +29,7 @@ static int is_free(const stack *s, const sf_rule *rule)
     sf_grid *grid = stack_grid(s);
     o.rule = *rule;
     o.bed_layer = 0;
-    CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, &report, NULL), SF_OK);
+    CHECK_EQ(sf_grid_check(grid, &o, stack_allocator(), NULL, &report, NULL), SF_OK);
     sf_grid_destroy(grid);
     CHECK_EQ(report.support_free, stack_is_support_free(s, rule, 0));
     return report.support_free;

@@ -12,8 +12,8 @@ static void trim_is_the_field_of_the_oracle(void)
     static field f;
     for (int i = 0; i < 3000; i++) {
         sf_rule rule = any_rule(i);
-        int nx = 1 + (int)test_random_below(12), ny = 1 + (int)test_random_below(9);
-        random_stack(&s, i % 50 == 0 ? nx + 60 : nx, ny, 1 + (int)test_random_below(9));
+        int nx = i % 10 == 0 ? stack_wide() : 1 + (int)test_random_below(12);
+        random_stack(&s, nx, 1 + (int)test_random_below(9), 1 + (int)test_random_below(9));
         uint32_t bed = random_bed(s.nz);
         oracle_field(&f, &s, &rule, bed, NULL);
         library_trim(&found, &s, &rule, bed);
@@ -39,7 +39,7 @@ static void trim_is_the_union_of_all_support_free_subsets(void)
         terms.rule = rule;
         terms.bed_layer = 0;
         terms.exempt = mask;
-        CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+        CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         stack_read(&found, grid);
         CHECK(stack_equal(&found, &best));
         sf_grid_destroy(grid);
@@ -70,8 +70,8 @@ static void check_counts_what_the_oracle_counts(void)
     static sf_finding findings[4096];
     for (int i = 0; i < 2000; i++) {
         sf_rule rule = any_rule(i);
-        random_stack(&s, 1 + (int)test_random_below(14), 1 + (int)test_random_below(8),
-                     1 + (int)test_random_below(8));
+        int nx = i % 10 == 0 ? stack_wide() : 1 + (int)test_random_below(14);
+        random_stack(&s, nx, 1 + (int)test_random_below(8), 1 + (int)test_random_below(8));
         sf_grid *grid = stack_grid(&s);
         sf_check_options o = sf_check_options_default();
         sf_check_report report;
@@ -81,7 +81,7 @@ static void check_counts_what_the_oracle_counts(void)
         o.findings = findings;
         o.finding_capacity = sizeof findings / sizeof findings[0];
         oracle_field(&f, &s, &rule, o.bed_layer, NULL);
-        CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, &report, &count), SF_OK);
+        CHECK_EQ(sf_grid_check(grid, &o, stack_allocator(), NULL, &report, &count), SF_OK);
         CHECK_EQ(report.unsupported_voxels, oracle_unsupported(&s, &rule, o.bed_layer));
         CHECK_EQ(report.trimmed_voxels, stack_volume(&s) - stack_volume(&f.alive));
         uint64_t volume = report.unlinked_voxels, area = 0;
@@ -252,11 +252,11 @@ static void padding_is_nobodys_matter(void)
         stack_random(&exempt, s.nx, 4, 5, 0.1);
         sf_grid *clean = stack_grid(&s), *dirty = stack_grid(&s), *mask = stack_grid(&exempt);
         terms.exempt = i % 2 == 0 ? mask : NULL;
-        CHECK_EQ(sf_grid_trim_on(clean, &terms, NULL, NULL, NULL, NULL), SF_OK);
+        CHECK_EQ(sf_grid_trim_on(clean, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         dirty_padding(dirty);
         dirty_padding(mask);
         if (terms.exempt != NULL) {
-            CHECK_EQ(sf_grid_trim_on(dirty, &terms, NULL, NULL, NULL, NULL), SF_OK);
+            CHECK_EQ(sf_grid_trim_on(dirty, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         } else {
             CHECK_EQ(sf_grid_trim(dirty, &rule, terms.bed_layer, NULL, NULL), SF_OK);
         }
@@ -305,7 +305,8 @@ static void cancel_half_way_changes_nothing(void)
         watched = sf_task_default();
         watched.progress = cancel_later;
         reports_left = 3;
-        CHECK_EQ(sf_grid_trim_on(other, &terms, NULL, &watched, NULL, NULL), SF_ERR_CANCELLED);
+        CHECK_EQ(sf_grid_trim_on(other, &terms, stack_allocator(), &watched, NULL, NULL),
+                 SF_ERR_CANCELLED);
         stack_read(&found, other);
         CHECK(stack_equal(&found, &s));
         sf_grid_destroy(grid);

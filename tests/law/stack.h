@@ -8,6 +8,7 @@
 #ifndef SF_TEST_STACK_H
 #define SF_TEST_STACK_H
 
+#include "failing_allocator.h"
 #include "test.h"
 
 #include <sf/support.h>
@@ -260,6 +261,30 @@ static inline int stack_is_support_free(const stack *s, const sf_rule *rule, uin
 // To and from the library
 // ---------------------------------------------------------------------------------------------
 
+// Where grids of stacks live, and what calls take their memory from: it is full of 0xdb, so who
+// counts on zeros, or reads past the last word of a row, finds something else.
+static failing_allocator stack_memory;
+
+static inline const sf_allocator *stack_allocator(void)
+{
+    if (stack_memory.allocator.alloc == NULL) {
+        failing_begin(&stack_memory, -1);
+    }
+    return &stack_memory.allocator;
+}
+
+// Widths of random tests: around the end of a row's first word and of its second; half of them
+// narrow.
+static inline int stack_wide(void)
+{
+    return 61 + (int)test_random_below(70);
+}
+
+static inline int stack_width(void)
+{
+    return test_random_below(2) == 0 ? stack_wide() : 1 + (int)test_random_below(20);
+}
+
 static inline sf_lattice stack_lattice(int nx, int ny, int nz)
 {
     sf_lattice lattice = {(uint32_t)nx, (uint32_t)ny, (uint32_t)nz, 0.1,
@@ -284,7 +309,7 @@ static inline sf_grid *stack_grid(const stack *s)
 {
     sf_lattice lattice = stack_lattice(s->nx, s->ny, s->nz);
     sf_grid *grid = NULL;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &grid), SF_OK);
     stack_write(s, grid);
     return grid;
 }

@@ -23,12 +23,13 @@ static void feasible_is_what_some_subset_shows(void)
         sf_grid *culprits = stack_grid(&allowed);
         uint64_t count = 99;
         terms.exempt = e;
-        sf_status status = sf_grid_feasible(m, p, &terms, NULL, NULL, culprits, &count);
+        sf_status status =
+            sf_grid_feasible(m, p, &terms, stack_allocator(), NULL, culprits, &count);
         stack_read(&found, culprits);
         CHECK_EQ(status, stack_volume(&wrong) == 0 ? SF_OK : SF_ERR_INFEASIBLE);
         CHECK_EQ(count, stack_volume(&wrong));
         CHECK(stack_equal(&found, &wrong));
-        CHECK_EQ(sf_grid_feasible(m, p, &terms, NULL, NULL, NULL, NULL), status);
+        CHECK_EQ(sf_grid_feasible(m, p, &terms, stack_allocator(), NULL, NULL, NULL), status);
         infeasible += status != SF_OK;
         sf_grid_destroy(m);
         sf_grid_destroy(p);
@@ -60,7 +61,8 @@ static void trim_on_terms_keeps_its_word(void)
         sf_trim_report report = {7, 7, 7};
         terms.keep = k;
         terms.act = a;
-        sf_status status = sf_grid_trim_on(grid, &terms, NULL, NULL, culprits, &report);
+        sf_status status =
+            sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, culprits, &report);
         CHECK_EQ(status, stack_volume(&must) == 0 ? SF_OK : SF_ERR_INFEASIBLE);
         stack_read(&found, grid);
         CHECK(stack_equal(&found, status == SF_OK ? &f.alive : &s));
@@ -89,7 +91,7 @@ static void exempt_matter_stays_below_the_bed(void)
         oracle_field(&f, &s, &terms.rule, terms.bed_layer, &exempt);
         sf_grid *grid = stack_grid(&s), *mask = stack_grid(&exempt);
         terms.exempt = mask;
-        CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+        CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         stack_read(&found, grid);
         CHECK(stack_equal(&found, &f.alive));
         sf_grid_destroy(grid);
@@ -107,9 +109,12 @@ static void masks_are_not_written(void)
         sf_terms terms = sf_terms_default();
         const sf_grid **masks[4] = {&terms.exempt, &terms.keep, &terms.forbid, &terms.act};
         *masks[i] = mask;
-        CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, mask, NULL), SF_ERR_ARGUMENT);
-        CHECK_EQ(sf_grid_trim_on(mask, &terms, NULL, NULL, NULL, NULL), SF_ERR_ARGUMENT);
-        CHECK_EQ(sf_grid_feasible(grid, grid, &terms, NULL, NULL, mask, NULL), SF_ERR_ARGUMENT);
+        CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, mask, NULL),
+                 SF_ERR_ARGUMENT);
+        CHECK_EQ(sf_grid_trim_on(mask, &terms, stack_allocator(), NULL, NULL, NULL),
+                 SF_ERR_ARGUMENT);
+        CHECK_EQ(sf_grid_feasible(grid, grid, &terms, stack_allocator(), NULL, mask, NULL),
+                 SF_ERR_ARGUMENT);
     }
     sf_grid_destroy(grid);
     sf_grid_destroy(mask);

@@ -44,7 +44,7 @@ static inline tiny tiny_new(int nx, int ny, int nz, const sf_rule *rule)
     t.trim = malloc(t.count * sizeof *t.trim);
     sf_lattice lattice = stack_lattice(nx, ny, nz);
     sf_grid *grid = NULL;
-    if (t.trim == NULL || sf_grid_create(&lattice, NULL, &grid) != SF_OK) {
+    if (t.trim == NULL || sf_grid_create(&lattice, stack_allocator(), &grid) != SF_OK) {
         abort();
     }
     for (uint32_t s = 0; s < t.count; s++) {

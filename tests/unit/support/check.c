@@ -54,10 +54,9 @@ static void every_stack_in_a_row(void)
 
 static void random_stacks(void)
 {
-    static const int widths[] = {1, 2, 5, 17, 63, 64, 65, 100};
     static stack s;
     for (int i = 0; i < 250; i++) {
-        int nx = widths[i % 8], ny = 1 + (int)test_random_below(12);
+        int nx = stack_width(), ny = 1 + (int)test_random_below(12);
         int nz = 1 + (int)test_random_below(9);
         if (i % 3 == 0) {
             stack_random(&s, nx, ny, nz, 0.1 + 0.7 * test_random_unit());

@@ -81,7 +81,7 @@ static void bits_runs_and_grey_are_one(void)
     static stack s;
     static pushed bits, other;
     for (int i = 0; i < 200; i++) {
-        int nx = 1 + (int)test_random_below(140), ny = 1 + (int)test_random_below(9);
+        int nx = stack_width(), ny = 1 + (int)test_random_below(9);
         if (i % 2 == 0) {
             stack_random(&s, nx, ny, 6, test_random_unit());
         } else {

@@ -20,7 +20,7 @@ static void whole_is_stream(void)
     static stack s;
     static pushed stream, whole;
     for (int i = 0; i < 120; i++) {
-        int nx = 1 + (int)test_random_below(90), ny = 1 + (int)test_random_below(12);
+        int nx = stack_width(), ny = 1 + (int)test_random_below(12);
         stack_random_boxes(&s, nx, ny, 8, 9);
         sf_rule rule = rule_by_number(i);
         uint32_t bed = i % 3 == 0 ? test_random_below(8) : SF_BED_AUTO;
@@ -32,7 +32,9 @@ static void whole_is_stream(void)
         o.width = 9999;
         o.first_layer = 7;
         sf_grid *grid = stack_grid(&s);
-        CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, &whole.report, &whole.finding_count), SF_OK);
+        CHECK_EQ(
+            sf_grid_check(grid, &o, stack_allocator(), NULL, &whole.report, &whole.finding_count),
+            SF_OK);
         same_check(&stream, &whole);
         sf_grid_destroy(grid);
     }
@@ -44,7 +46,7 @@ static void many_runs(void)
     static sf_finding finding[2];
     sf_lattice lattice = stack_lattice(1024, 1024, 4);
     sf_grid *grid = NULL;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &grid), SF_OK);
     CHECK_EQ(sf_slice_set(sf_grid_slice(grid, 0), 5, 5, 1), SF_OK);
     for (uint32_t k = 2; k < 4; k++) {
         sf_slice slice = sf_grid_slice(grid, k);
@@ -57,7 +59,7 @@ static void many_runs(void)
     o.finding_capacity = 2;
     sf_check_report report;
     size_t count;
-    CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, &report, &count), SF_OK);
+    CHECK_EQ(sf_grid_check(grid, &o, stack_allocator(), NULL, &report, &count), SF_OK);
     CHECK_EQ(count, 1);
     CHECK_EQ(report.runs_dropped, 0);
     CHECK_EQ(report.island_count, 1);
@@ -76,18 +78,23 @@ static void failing_calls_change_nothing(void)
     memset(&before, 0x5a, sizeof before);
     after = before;
     sf_check_options o = pushed_options(&s, &rule, SF_BED_AUTO, &after), p;
-    CHECK_EQ(sf_grid_check(NULL, &o, NULL, NULL, &after.report, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_grid_check(grid, NULL, NULL, NULL, &after.report, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_grid_check(grid, &o, NULL, NULL, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(NULL, &o, stack_allocator(), NULL, &after.report, NULL),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(grid, NULL, stack_allocator(), NULL, &after.report, NULL),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(grid, &o, stack_allocator(), NULL, NULL, NULL), SF_ERR_ARGUMENT);
     p = o;
     p.rule = bad;
-    CHECK_EQ(sf_grid_check(grid, &p, NULL, NULL, &after.report, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(grid, &p, stack_allocator(), NULL, &after.report, NULL),
+             SF_ERR_ARGUMENT);
     p = o;
     p.bed_layer = 6;
-    CHECK_EQ(sf_grid_check(grid, &p, NULL, NULL, &after.report, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(grid, &p, stack_allocator(), NULL, &after.report, NULL),
+             SF_ERR_ARGUMENT);
     p = o;
     p.findings = NULL;
-    CHECK_EQ(sf_grid_check(grid, &p, NULL, NULL, &after.report, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_check(grid, &p, stack_allocator(), NULL, &after.report, NULL),
+             SF_ERR_ARGUMENT);
 
     failing_allocator f;
     sf_status status = SF_ERR_MEMORY;
@@ -135,7 +142,7 @@ static void progress_and_cancel(void)
         after = before;
         sf_check_options o = pushed_options(&s, &rule, SF_BED_AUTO, &after);
         sf_status status =
-            sf_grid_check(grid, &o, NULL, &task, &after.report, &after.finding_count);
+            sf_grid_check(grid, &o, stack_allocator(), &task, &after.report, &after.finding_count);
         // Six layers: once the last one is through there is nothing left to cancel.
         CHECK_EQ(status, cancel_at < 6 ? SF_ERR_CANCELLED : SF_OK);
         CHECK(status == SF_OK || memcmp(&before, &after, sizeof before) == 0);

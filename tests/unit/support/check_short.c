@@ -8,7 +8,7 @@
 
 static void random_shape(stack *s, int i)
 {
-    int nx = 1 + (int)test_random_below(90), ny = 1 + (int)test_random_below(12);
+    int nx = stack_width(), ny = 1 + (int)test_random_below(12);
     if (i % 2 == 0) {
         stack_random(s, nx, ny, 7, test_random_unit());
     } else {

@@ -26,8 +26,9 @@ static void find_costs(costed *c, const sf_grid *grid, const sf_terms *terms, sf
     options.bed_layer = terms->bed_layer;
     options.findings = c->findings;
     options.finding_capacity = FINDINGS;
-    CHECK_EQ(sf_grid_check(grid, &options, NULL, NULL, &c->report, &c->count), SF_OK);
-    CHECK_EQ(sf_findings_cost(grid, terms, c->findings, c->count, NULL, NULL, c->costs, added),
+    CHECK_EQ(sf_grid_check(grid, &options, stack_allocator(), NULL, &c->report, &c->count), SF_OK);
+    CHECK_EQ(sf_findings_cost(grid, terms, c->findings, c->count, stack_allocator(), NULL, c->costs,
+                              added),
              SF_OK);
 }
 
@@ -35,7 +36,7 @@ static sf_grid *empty_like(const stack *s)
 {
     sf_lattice lattice = stack_lattice(s->nx, s->ny, s->nz);
     sf_grid *grid = NULL;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &grid), SF_OK);
     return grid;
 }
 
@@ -89,7 +90,7 @@ static void fixed(const stack *s, const sf_terms *terms, const costed *c, const 
     options.rule = terms->rule;
     options.bed_layer = (uint32_t)stack_bed(s, terms->bed_layer);
     if (stack_volume(s) > 0) {
-        CHECK_EQ(sf_grid_check(grid, &options, NULL, NULL, &report, NULL), SF_OK);
+        CHECK_EQ(sf_grid_check(grid, &options, stack_allocator(), NULL, &report, NULL), SF_OK);
         CHECK(report.support_free);
     }
     sf_grid_destroy(grid);
@@ -114,8 +115,8 @@ static void added_voxels_fix_it(void)
     static costed c;
     for (int i = 0; i < 700; i++) {
         sf_terms terms = sf_terms_default();
-        int nx = 1 + (int)test_random_below(i % 50 == 0 ? 90 : 14),
-            ny = 1 + (int)test_random_below(9);
+        int nx = i % 10 == 0 ? stack_wide() : 1 + (int)test_random_below(14);
+        int ny = 1 + (int)test_random_below(nx > 60 ? 3 : 9);
         if (i % 2 == 0) {
             stack_random_boxes(&s, nx, ny, 9, 6);
         } else {
@@ -339,21 +340,28 @@ static void bad_arguments(const sf_grid *grid, const sf_terms *terms, costed *c,
     sf_finding_cost *out = c->costs;
     sf_terms bad = *terms;
     bad.bed_layer = 8;
-    CHECK_EQ(sf_findings_cost(NULL, terms, f, 1, NULL, NULL, out, added), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_findings_cost(grid, NULL, f, 1, NULL, NULL, out, added), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_findings_cost(grid, terms, NULL, 1, NULL, NULL, out, added), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_findings_cost(grid, terms, f, 1, NULL, NULL, NULL, added), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_findings_cost(grid, &bad, f, 1, NULL, NULL, out, added), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(NULL, terms, f, 1, stack_allocator(), NULL, out, added),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(grid, NULL, f, 1, stack_allocator(), NULL, out, added),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(grid, terms, NULL, 1, stack_allocator(), NULL, out, added),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(grid, terms, f, 1, stack_allocator(), NULL, NULL, added),
+             SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(grid, &bad, f, 1, stack_allocator(), NULL, out, added),
+             SF_ERR_ARGUMENT);
     bad = *terms;
     bad.forbid = added;
-    CHECK_EQ(sf_findings_cost(grid, &bad, f, 1, NULL, NULL, out, added), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_findings_cost(grid, &bad, f, 1, stack_allocator(), NULL, out, added),
+             SF_ERR_ARGUMENT);
     // Findings of something else: one too many, another area, another layer.
     for (int i = 0; i < 3; i++) {
         memcpy(other, c->findings, sizeof other);
         other[c->count] = other[c->count - 1];
         other[3].area += i == 1;
         other[3].layer += i == 2;
-        CHECK_EQ(sf_findings_cost(grid, terms, other, c->count + (i == 0), NULL, NULL, out, added),
+        CHECK_EQ(sf_findings_cost(grid, terms, other, c->count + (i == 0), stack_allocator(), NULL,
+                                  out, added),
                  SF_ERR_ARGUMENT);
     }
 }
@@ -365,7 +373,8 @@ static void cancelled(const sf_grid *grid, const sf_terms *terms, costed *c, sf_
         watch w = {0, cancel_at, 0, &task};
         task.progress = watching;
         task.user = &w;
-        CHECK_EQ(sf_findings_cost(grid, terms, c->findings, c->count, NULL, &task, c->costs, added),
+        CHECK_EQ(sf_findings_cost(grid, terms, c->findings, c->count, stack_allocator(), &task,
+                                  c->costs, added),
                  SF_ERR_CANCELLED);
     }
 }
@@ -414,13 +423,14 @@ static void fewer_findings(void)
     stack_random(&s, 20, 10, 8, 0.15);
     sf_grid *grid = stack_grid(&s), *added = stack_grid(&s);
     find_costs(&c, grid, &terms, NULL);
-    CHECK_EQ(sf_findings_cost(grid, &terms, c.findings, c.count / 2, NULL, NULL, shorter, NULL),
+    CHECK_EQ(sf_findings_cost(grid, &terms, c.findings, c.count / 2, stack_allocator(), NULL,
+                              shorter, NULL),
              SF_OK);
     for (size_t i = 0; i < c.count / 2; i++) {
         CHECK_EQ(shorter[i].trim_voxels, c.costs[i].trim_voxels);
         CHECK_EQ(shorter[i].grow_voxels, c.costs[i].grow_voxels);
     }
-    CHECK_EQ(sf_findings_cost(grid, &terms, NULL, 0, NULL, NULL, NULL, added), SF_OK);
+    CHECK_EQ(sf_findings_cost(grid, &terms, NULL, 0, stack_allocator(), NULL, NULL, added), SF_OK);
     CHECK_EQ(sf_grid_popcount(added), 0);
     sf_grid_destroy(grid);
     sf_grid_destroy(added);

@@ -18,7 +18,8 @@ static void preserve(stack *s, const stack *brush, const sf_rule *rule, sf_prese
     terms.bed_layer = 0;
     options.mode = mode;
     options.trim_after = trim_after;
-    CHECK_EQ(sf_grid_preserve(grid, mask, &terms, &options, NULL, NULL, report), SF_OK);
+    CHECK_EQ(sf_grid_preserve(grid, mask, &terms, &options, stack_allocator(), NULL, report),
+             SF_OK);
     stack_take(s, grid);
     sf_grid_destroy(grid);
     sf_grid_destroy(mask);

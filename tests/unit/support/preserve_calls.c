@@ -170,7 +170,7 @@ static void wrong_complete(void)
     sf_terms exempt = c.terms;
     exempt.exempt = c.result;
 #define COMPLETE(shape, needed, terms, result)                                                     \
-    sf_grid_complete(shape, needed, terms, NULL, NULL, result)
+    sf_grid_complete(shape, needed, terms, stack_allocator(), NULL, result)
     CHECK_EQ(COMPLETE(NULL, c.needed, &c.terms, c.result), SF_ERR_ARGUMENT);
     CHECK_EQ(COMPLETE(c.shape, NULL, &c.terms, c.result), SF_ERR_ARGUMENT);
     CHECK_EQ(COMPLETE(c.shape, c.needed, NULL, c.result), SF_ERR_ARGUMENT);
@@ -201,7 +201,7 @@ static void wrong_preserve(void)
     stack_clear(&small, 12, 9, 6);
     sf_grid *other = stack_grid(&small);
 #define PRESERVE(grid, brush, terms, options)                                                      \
-    sf_grid_preserve(grid, brush, terms, options, NULL, NULL, NULL)
+    sf_grid_preserve(grid, brush, terms, options, stack_allocator(), NULL, NULL)
     CHECK_EQ(PRESERVE(NULL, c.brush, &c.terms, &c.options), SF_ERR_ARGUMENT);
     CHECK_EQ(PRESERVE(c.shape, NULL, &c.terms, &c.options), SF_ERR_ARGUMENT);
     CHECK_EQ(PRESERVE(c.shape, c.brush, NULL, &c.options), SF_ERR_ARGUMENT);

@@ -13,7 +13,7 @@
 static sf_grid *leaning(double slope, const sf_lattice *lattice)
 {
     sf_grid *grid = NULL;
-    CHECK_EQ(sf_grid_create(lattice, NULL, &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(lattice, stack_allocator(), &grid), SF_OK);
     for (uint32_t k = 0; k < lattice->nz; k++) {
         uint32_t x = (uint32_t)floor(k * lattice->layer_mm * slope / lattice->pitch_x_mm);
         sf_rect rect = {x, 0, x + 6, lattice->ny};
@@ -32,7 +32,7 @@ static void wedges_of_known_slope(void)
             sf_steepest found;
             lattice.nx = (uint32_t)(height * slope / lattice.pitch_x_mm) + 8;
             sf_grid *grid = leaning(slope, &lattice);
-            CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, NULL, NULL, &found), SF_OK);
+            CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, stack_allocator(), NULL, &found), SF_OK);
             CHECK(found.is_bounded);
             double said = tan(found.angle_rad);
             CHECK(said <= slope + 0.01);
@@ -48,11 +48,11 @@ static void islands_have_no_angle(void)
     sf_lattice lattice = {20, 20, 20, 0.1, 0.1, 0.1, NULL, {0, 0, 0}};
     sf_grid *grid = leaning(0, &lattice);
     sf_steepest found;
-    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, NULL, NULL, &found), SF_OK);
+    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, stack_allocator(), NULL, &found), SF_OK);
     CHECK(found.is_bounded && found.layer == SF_BED_AUTO && found.box.x1 == 0);
     CHECK_NEAR(found.angle_rad * DEGREES, 5, 1e-9);
     CHECK_EQ(sf_slice_set(sf_grid_slice(grid, 11), 19, 19, 1), SF_OK);
-    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, NULL, NULL, &found), SF_OK);
+    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, stack_allocator(), NULL, &found), SF_OK);
     // Even 85 degrees step over twelve voxels at most, and here are fourteen.
     CHECK_EQ(found.layer, 11);
     CHECK(found.box.x0 == 19 && found.box.y0 == 19 && found.box.z0 == 11);
@@ -84,23 +84,24 @@ static void failing_calls_change_nothing(void)
     failing_allocator memory;
     memset(&before, 0x5a, sizeof before);
     found = before;
-    CHECK_EQ(sf_grid_steepest(NULL, SF_BED_AUTO, NULL, NULL, &found), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_grid_steepest(grid, 20, NULL, NULL, &found), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_steepest(NULL, SF_BED_AUTO, stack_allocator(), NULL, &found), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_steepest(grid, 20, stack_allocator(), NULL, &found), SF_ERR_ARGUMENT);
     task = sf_task_default();
     task.progress = watch;
     task.user = &task;
     last = 0;
-    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, NULL, &task, &found), SF_ERR_CANCELLED);
+    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, stack_allocator(), &task, &found),
+             SF_ERR_CANCELLED);
     CHECK(last < 0.6);
     task = sf_task_default();
     task.progress = watch;
     last = 0;
-    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, NULL, &task, &before), SF_OK);
+    CHECK_EQ(sf_grid_steepest(grid, SF_BED_AUTO, stack_allocator(), &task, &before), SF_OK);
     CHECK_NEAR(last, 1, 0);
     memset(&before, 0x5a, sizeof before);
     sf_grid_destroy(grid);
     lattice.heights_mm = heights;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &grid), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &grid), SF_OK);
     for (long k = 0;; k++) {
         failing_begin(&memory, k);
         sf_status status = sf_grid_steepest(grid, SF_BED_AUTO, &memory.allocator, NULL, &found);

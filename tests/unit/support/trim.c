@@ -8,8 +8,8 @@
 
 static void random_shape(stack *s, int i)
 {
-    static const int widths[] = {1, 2, 5, 31, 63, 64, 65, 100};
-    int nx = widths[i % 8], ny = 1 + (int)test_random_below(12), nz = 1 + (int)test_random_below(9);
+    int nx = stack_width(), ny = 1 + (int)test_random_below(12);
+    int nz = 1 + (int)test_random_below(9);
     if (i % 3 == 0) {
         stack_random(s, nx, ny, nz, 0.2 + 0.7 * test_random_unit());
     } else {
@@ -70,7 +70,7 @@ static void layers_of_different_heights(void)
         sf_rule_kind kind = i % 2 ? SF_RULE_DISK : SF_RULE_OCTAGON;
         CHECK_EQ(sf_rule_make(kind, 0.8 + 0.4 * test_random_unit(), &lattice, table, &rule, NULL),
                  SF_OK);
-        stack_random_boxes(&s, 20, 14, 9, 6);
+        stack_random_boxes(&s, stack_width(), 14, 9, 6);
         stack_trim(&expected, &s, &rule, SF_BED_AUTO);
         library_trim(&found, &s, &rule, SF_BED_AUTO);
         CHECK(stack_equal(&expected, &found));

@@ -70,7 +70,7 @@ static void session(int nx, int ny, int nz, const sf_rule *rule, uint32_t bed, i
     static stack drawn, expected, before, after;
     stack_random_boxes(&drawn, nx, ny, nz, 6);
     sf_grid *d = stack_grid(&drawn), *t = NULL;
-    CHECK_EQ(sf_grid_clone(d, NULL, &t), SF_OK);
+    CHECK_EQ(sf_grid_clone(d, stack_allocator(), &t), SF_OK);
     CHECK_EQ(sf_grid_trim(t, rule, bed, NULL, NULL), SF_OK);
     for (int i = 0; i < strokes; i++) {
         sf_box box = random_box(nx, ny, nz), changed;
@@ -89,10 +89,9 @@ static void session(int nx, int ny, int nz, const sf_rule *rule, uint32_t bed, i
 
 static void strokes_equal_the_full_trim(void)
 {
-    static const int widths[] = {7, 20, 64, 65, 130, 200};
     for (int i = 0; i < 60; i++) {
         sf_rule rule = rule_by_number(i);
-        int nx = widths[i % 6], ny = 4 + (int)test_random_below(12);
+        int nx = i % 6 == 0 ? 200 : stack_width(), ny = 4 + (int)test_random_below(12);
         uint32_t bed = i % 3 == 0 ? test_random_below(3) : SF_BED_AUTO;
         session(nx, ny, 8, &rule, bed, 12);
     }
@@ -113,7 +112,7 @@ static void removal_in_place(void)
     static stack s, expected, found;
     for (int i = 0; i < 200; i++) {
         sf_rule rule = rule_by_number(i);
-        int nx = i % 2 ? 70 : 12, ny = 9, nz = 9;
+        int nx = stack_width(), ny = 9, nz = 9;
         uint32_t bed = i % 5 == 0 ? test_random_below(2) : SF_BED_AUTO;
         stack_random_boxes(&expected, nx, ny, nz, 12);
         stack_trim(&s, &expected, &rule, bed);
@@ -152,9 +151,9 @@ static void failing_calls_change_nothing(void)
     sf_allocator allocator = {refuse, give_back, &refusing};
     sf_lattice lattice = stack_lattice(20, 10, 5), other = stack_lattice(20, 10, 6);
     sf_grid *d, *t, *tall;
-    CHECK_EQ(sf_grid_create(&lattice, NULL, &d), SF_OK);
+    CHECK_EQ(sf_grid_create(&lattice, stack_allocator(), &d), SF_OK);
     CHECK_EQ(sf_grid_create(&lattice, &allocator, &t), SF_OK);
-    CHECK_EQ(sf_grid_create(&other, NULL, &tall), SF_OK);
+    CHECK_EQ(sf_grid_create(&other, stack_allocator(), &tall), SF_OK);
     CHECK_EQ(sf_slice_set(sf_grid_slice(d, 0), 3, 3, 1), SF_OK);
     sf_rule rule = sf_rule_box3(), unknown = {.kind = (sf_rule_kind)9};
     sf_box box = {0, 0, 0, 20, 10, 5}, wide = {0, 0, 0, 21, 10, 5}, none = {5, 5, 2, 5, 9, 3};
