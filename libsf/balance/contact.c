@@ -13,6 +13,7 @@
 
 #include "balance/stance.h"
 
+#include "base/exact.h"
 #include "base/memory.h"
 #include "base/polygon.h"
 #include "base/status.h"
@@ -22,28 +23,11 @@
 #include <string.h>
 
 #define EXTENT_BITS 40
-#define LEAST_EXTENT 1e-100
 #define FLAT_UNITS 2
 
 // ---------------------------------------------------------------------------------------------
 // The polygon
 // ---------------------------------------------------------------------------------------------
-
-// The largest power of two that keeps an extent within 2^EXTENT_BITS.
-static double find_scale(double extent)
-{
-    double scale = 1;
-    if (extent < LEAST_EXTENT) {
-        return 1;
-    }
-    while (scale * extent > ldexp(1, EXTENT_BITS)) {
-        scale /= 2;
-    }
-    while (scale * extent <= ldexp(1, EXTENT_BITS - 1)) {
-        scale *= 2;
-    }
-    return scale;
-}
 
 // Where a vertex lies on the ground, east and north of the box's corner.
 static void drop(const sf_stance *s, const double *vertex, double at[2])
@@ -65,7 +49,7 @@ static void snap(const sf_stance *s, sf_mesh_view mesh, sfi_corner *corners)
         }
     }
     double wide = high[0] - low[0], deep = high[1] - low[1];
-    double scale = find_scale(wide > deep ? wide : deep);
+    double scale = sfi_exact_scale(wide > deep ? wide : deep, EXTENT_BITS);
     for (size_t i = 0; i < s->contact_count; i++) {
         drop(s, mesh.vertices + 3 * (size_t)s->contacts[i], at);
         corners[i].x = (int64_t)floor((at[0] - low[0]) * scale + 0.5);

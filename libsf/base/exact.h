@@ -64,6 +64,23 @@ static inline int sfi_exact_sign(sfi_exact a)
     return a.high >> 63 != 0 ? -1 : (a.high | a.low) != 0;
 }
 
+// The largest power of two that keeps an extent within 2^bits when it is multiplied by it: what
+// coordinates are scaled by before they are rounded to whole numbers. 1 for what is no extent.
+static inline double sfi_exact_scale(double extent, int bits)
+{
+    double most = (double)(UINT64_C(1) << bits), scale = 1;
+    if (!(extent > 1e-100 && extent < 1e100)) {
+        return 1;
+    }
+    while (scale * extent > most) {
+        scale /= 2;
+    }
+    while (scale * extent <= most / 2) {
+        scale *= 2;
+    }
+    return scale;
+}
+
 // Sign of a * d - b * c; magnitudes up to 2^62.
 static inline int sfi_exact_turn(int64_t a, int64_t b, int64_t c, int64_t d)
 {
