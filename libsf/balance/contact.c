@@ -164,18 +164,45 @@ sfi_edge sfi_edge_get(const sf_stance *s, size_t i)
 // Contacts
 // ---------------------------------------------------------------------------------------------
 
-// Mark the vertices that triangles use with 1, and with 2 where they lie in the region.
-static void mark(const sf_stance *s, sf_mesh_view mesh, uint8_t *marks)
+void sfi_mark_vertices(sf_mesh_view mesh, const double low[3], const double high[3], uint8_t *marks)
 {
-    memset(marks, 0, mesh.vertex_count);
+    memset(marks, SFI_MARK_NONE, mesh.vertex_count);
     for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
         const double *p = mesh.vertices + 3 * (size_t)mesh.triangles[i];
         int in = 1;
         for (int d = 0; d < 3; d++) {
-            in = in && s->options.region_low_mm[d] <= p[d] && p[d] <= s->options.region_high_mm[d];
+            in = in && low[d] <= p[d] && p[d] <= high[d];
         }
-        marks[mesh.triangles[i]] = (uint8_t)(1 + in);
+        marks[mesh.triangles[i]] = in ? SFI_MARK_INSIDE : SFI_MARK_OUTSIDE;
     }
+}
+
+sf_status sfi_gather(sf_mesh_view mesh, const double low[3], const double high[3],
+                     const sf_allocator *allocator, double **points, size_t *count)
+{
+    uint8_t *marks = sfi_alloc_array(allocator, mesh.vertex_count, sizeof *marks);
+    double *made = NULL;
+    size_t found = 0;
+    if (marks == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    sfi_mark_vertices(mesh, low, high, marks);
+    for (size_t i = 0; i < mesh.vertex_count; i++) {
+        found += marks[i] == SFI_MARK_INSIDE;
+    }
+    made = sfi_alloc_array(allocator, found, 3 * sizeof *made);
+    for (size_t i = 0, at = 0; made != NULL && i < mesh.vertex_count; i++) {
+        if (marks[i] == SFI_MARK_INSIDE) {
+            memcpy(made + 3 * at++, mesh.vertices + 3 * i, 3 * sizeof *made);
+        }
+    }
+    sfi_free_array(allocator, marks, mesh.vertex_count, sizeof *marks);
+    if (made == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    *points = made;
+    *count = found;
+    return SF_OK;
 }
 
 // Find the ground and the vertices that touch it.
@@ -186,8 +213,8 @@ static sf_status find_contacts(sf_stance *s, sf_mesh_view mesh, const uint8_t *m
     size_t count = 0;
     for (size_t i = 0; i < mesh.vertex_count; i++) {
         double height = sfi_dot(s->options.up, mesh.vertices + 3 * i);
-        bottom = marks[i] != 0 && height < bottom ? height : bottom;
-        lowest = marks[i] == 2 && height < lowest ? height : lowest;
+        bottom = marks[i] != SFI_MARK_NONE && height < bottom ? height : bottom;
+        lowest = marks[i] == SFI_MARK_INSIDE && height < lowest ? height : lowest;
     }
     if (lowest == INFINITY) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
@@ -198,7 +225,8 @@ static sf_status find_contacts(sf_stance *s, sf_mesh_view mesh, const uint8_t *m
     for (int pass = 0; pass < 2; pass++) {
         count = 0;
         for (size_t i = 0; i < mesh.vertex_count; i++) {
-            if (marks[i] == 2 && sfi_dot(s->options.up, mesh.vertices + 3 * i) <= limit) {
+            if (marks[i] == SFI_MARK_INSIDE &&
+                sfi_dot(s->options.up, mesh.vertices + 3 * i) <= limit) {
                 if (pass == 1) {
                     s->contacts[count] = (uint32_t)i;
                 }
@@ -240,7 +268,7 @@ sf_status sfi_stance_touch(sf_stance *s, sf_mesh_view mesh, sf_fault *fault)
     if (marks == NULL) {
         return SF_ERR_MEMORY;
     }
-    mark(s, mesh, marks);
+    sfi_mark_vertices(mesh, s->options.region_low_mm, s->options.region_high_mm, marks);
     sf_status status = find_contacts(s, mesh, marks, fault);
     sfi_free_array(&s->allocator, marks, mesh.vertex_count, sizeof *marks);
     return status == SF_OK ? make_polygon(s, mesh) : status;

@@ -19,7 +19,6 @@
 #define ANGLE_MAX (80 * DEGREE_RAD)
 #define TOLERANCE_MAX (45 * DEGREE_RAD)
 #define COORDINATE_MAX 1e12
-#define CONTACT_SHARE 1e-6
 #define LEVER_SHARE 1e-2
 #define SAFE_SHARE 1e-9
 
@@ -57,20 +56,18 @@ double sfi_tilt(const double a[3], const double b[3])
     return along > 0 ? 2 * sfi_atan(sfi_length(difference) / along) : 2 * SFI_HALF_PI;
 }
 
-// East and north of an `up` of length 1: from the axis that it leans to least, so that an `up`
-// along an axis gets axes.
-static void make_frame(sf_stance *s)
+// From the axis that up leans to least, so that an up along an axis gets axes.
+void sfi_frame_around(const double up[3], double east[3], double north[3])
 {
-    const double *up = s->options.up;
     int axis = 0;
     for (int i = 1; i < 3; i++) {
         axis = fabs(up[i]) < fabs(up[axis]) ? i : axis;
     }
     for (int i = 0; i < 3; i++) {
-        s->east[i] = (i == axis) - up[axis] * up[i];
+        east[i] = (i == axis) - up[axis] * up[i];
     }
-    sfi_normalize(s->east);
-    sfi_cross(up, s->east, s->north);
+    sfi_normalize(east);
+    sfi_cross(up, east, north);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -111,14 +108,13 @@ sf_stance_options sf_stance_options_default(void)
     return options;
 }
 
-static int is_place(const double v[3])
+int sfi_is_place(const double v[3])
 {
     return fabs(v[0]) <= COORDINATE_MAX && fabs(v[1]) <= COORDINATE_MAX &&
            fabs(v[2]) <= COORDINATE_MAX;
 }
 
-// A direction of numbers whose length neither overflows nor vanishes when it is squared.
-static int is_direction(const double v[3])
+int sfi_is_direction(const double v[3])
 {
     double length = sfi_length(v);
     return length > 1e-100 && length < 1e100;
@@ -138,7 +134,7 @@ static const char *find_fault(const sf_stance_options *o)
     if ((int)o->kind < SF_STANCE_STAND || o->kind > SF_STANCE_ROCK) {
         return "there is no such kind of stance";
     }
-    if (!is_direction(o->up)) {
+    if (!sfi_is_direction(o->up)) {
         return "up is no direction: it has no length, or one that is no number";
     }
     if (!(o->gamma_rad >= 0 && o->gamma_rad <= ANGLE_MAX)) {
@@ -160,7 +156,7 @@ static const char *find_fault(const sf_stance_options *o)
     if (!is_region) {
         return "the region of contacts is empty: its lower corner lies above its upper one";
     }
-    if (!is_place(o->point_mm)) {
+    if (!sfi_is_place(o->point_mm)) {
         return "the point it hangs from must be numbers within 1e12 mm";
     }
     return NULL;
@@ -173,7 +169,7 @@ static void resolve(sf_stance *s, const sf_stance_options *options)
     s->options.struct_size = sizeof s->options;
     sfi_normalize(s->options.up);
     if (s->options.contact_mm == 0) {
-        s->options.contact_mm = CONTACT_SHARE * s->diagonal_mm;
+        s->options.contact_mm = SFI_CONTACT_SHARE * s->diagonal_mm;
     }
     if (s->options.lever_mm == 0) {
         s->options.lever_mm = LEVER_SHARE * s->diagonal_mm;
@@ -184,23 +180,20 @@ static void resolve(sf_stance *s, const sf_stance_options *options)
 // Making and freeing
 // ---------------------------------------------------------------------------------------------
 
-static sf_status look_at_mesh(sf_stance *s, sf_mesh_view mesh, sf_fault *fault)
+sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double *diagonal, sf_fault *fault)
 {
     double high[3], extent[3];
     SF_TRY(sf_mesh_validate(mesh, fault));
     if (mesh.triangle_count == 0) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "the mesh has no triangles");
     }
-    SF_TRY(sf_mesh_bounds(mesh, s->low, high));
-    for (int i = 0; i < 3; i++) {
-        if (s->low[i] < -COORDINATE_MAX || high[i] > COORDINATE_MAX) {
-            return sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
-                                 "the mesh reaches beyond 1e12 mm; check its units");
-        }
+    SF_TRY(sf_mesh_bounds(mesh, low, high));
+    if (!sfi_is_place(low) || !sfi_is_place(high)) {
+        return sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
+                             "the mesh reaches beyond 1e12 mm; check its units");
     }
-    sfi_subtract(high, s->low, extent);
-    s->diagonal_mm = sfi_length(extent);
-    s->vertex_count = mesh.vertex_count;
+    sfi_subtract(high, low, extent);
+    *diagonal = sfi_length(extent);
     return SF_OK;
 }
 
@@ -231,9 +224,10 @@ sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_options *options,
     sf_stance made;
     memset(&made, 0, sizeof made);
     made.allocator = sfi_allocator_or_default(allocator);
-    SF_TRY(look_at_mesh(&made, mesh, fault));
+    SF_TRY(sfi_mesh_box(mesh, made.low, &made.diagonal_mm, fault));
+    made.vertex_count = mesh.vertex_count;
     resolve(&made, options);
-    make_frame(&made);
+    sfi_frame_around(made.options.up, made.east, made.north);
     sf_stance *kept = sfi_alloc_array(&made.allocator, 1, sizeof *kept);
     if (kept == NULL) {
         return sfi_fault_set(fault, SF_ERR_MEMORY, 0, 0,
@@ -319,7 +313,7 @@ sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
                           sf_stance_verdict *verdict)
 {
     sf_stance_verdict found;
-    if (stance == NULL || com_mm == NULL || verdict == NULL || !is_place(com_mm)) {
+    if (stance == NULL || com_mm == NULL || verdict == NULL || !sfi_is_place(com_mm)) {
         return SF_ERR_ARGUMENT;
     }
     memset(&found, 0, sizeof found);

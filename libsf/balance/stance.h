@@ -7,6 +7,8 @@
 #include <sf/stance.h>
 
 #define SFI_HALF_PI 1.5707963267948966
+// Of the diagonal: how close above the lowest vertex others touch the ground.
+#define SFI_CONTACT_SHARE 1e-6
 
 struct sf_stance {
     sf_allocator allocator;
@@ -34,6 +36,23 @@ typedef struct sfi_edge {
 size_t sfi_edge_count(const sf_stance *stance);
 sfi_edge sfi_edge_get(const sf_stance *stance, size_t index);
 
+// Whether it is a place within 1e12 mm; whether it is a direction of numbers whose length neither
+// overflows nor vanishes when it is squared.
+int sfi_is_place(const double at[3]);
+int sfi_is_direction(const double v[3]);
+
+// Check a mesh, and find the lower corner and the diagonal of its box.
+sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double *diagonal, sf_fault *fault);
+
+// What a vertex is: used by no triangle, used but outside of a box, used and inside of it.
+enum { SFI_MARK_NONE = 0, SFI_MARK_OUTSIDE = 1, SFI_MARK_INSIDE = 2 };
+void sfi_mark_vertices(sf_mesh_view mesh, const double low[3], const double high[3],
+                       uint8_t *marks);
+
+// The vertices inside of a box, x, y, z after each other; at least one. SF_ERR_MEMORY.
+sf_status sfi_gather(sf_mesh_view mesh, const double low[3], const double high[3],
+                     const sf_allocator *allocator, double **points, size_t *count);
+
 // Find ground, contacts and polygon of a mesh that is valid and has its box in the stance.
 sf_status sfi_stance_touch(sf_stance *stance, sf_mesh_view mesh, sf_fault *fault);
 
@@ -51,6 +70,13 @@ sf_status sfi_stance_reserve(sf_stance *stance, size_t count);
 // Add the half-space normal . c >= normal . through + least, the normal brought to length 1.
 void sfi_stance_bound(sf_stance *stance, const double normal[3], const double through[3],
                       double least);
+
+// The tilt at which a centre of mass that lies so far inside of an edge and so high above the
+// ground is straight above the edge.
+double sfi_tipping(double inside, double height);
+
+// Two directions that with an up of length 1 make a right-handed frame of length 1.
+void sfi_frame_around(const double up[3], double east[3], double north[3]);
 
 // The angle between two directions, neither of them 0; in [0, pi].
 double sfi_tilt(const double a[3], const double b[3]);

@@ -52,8 +52,7 @@ sf_status sfi_stand_bound(sf_stance *s)
     return SF_OK;
 }
 
-// The tilt at which a centre that lies so far inside and so high is above the edge.
-static double tipping(double inside, double height)
+double sfi_tipping(double inside, double height)
 {
     if (height > 0) {
         return sfi_atan(inside / height);
@@ -74,7 +73,7 @@ void sfi_stand_judge(const sf_stance *s, const double com[3], sf_stance_verdict 
             double east = sfi_dot(s->east, from), north = sfi_dot(s->north, from);
             inside = -sqrt(east * east + north * north);
         }
-        double margin = tipping(inside, height);
+        double margin = sfi_tipping(inside, height);
         if (margin < verdict->margin_rad) {
             verdict->margin_rad = margin;
             memcpy(verdict->edge_mm[0], edge.from, sizeof edge.from);

@@ -17,6 +17,7 @@
 #include "base/memory.h"
 #include "base/polygon.h"
 #include "base/status.h"
+#include "mesh/flats.h"
 #include "mesh/quickhull.h"
 #include "mesh/vector.h"
 
@@ -133,26 +134,6 @@ static int find_simplex(const double *at, size_t count, uint32_t s[4])
 // Hulls of fewer dimensions
 // ---------------------------------------------------------------------------------------------
 
-static sf_status allocate(sfi_hull *h, size_t corners, size_t faces, size_t edges,
-                          const sf_allocator *allocator)
-{
-    h->corners = sfi_alloc_array(allocator, corners, sizeof *h->corners);
-    h->corner_count = h->corners != NULL ? corners : 0;
-    h->starts = sfi_alloc_array(allocator, faces + 1, sizeof *h->starts);
-    if (h->corners == NULL || h->starts == NULL) {
-        sfi_free_array(allocator, h->starts, faces + 1, sizeof *h->starts);
-        h->starts = NULL;
-        return SF_ERR_MEMORY;
-    }
-    h->face_count = faces;
-    h->starts[faces] = edges;
-    if (edges > 0) {
-        h->loops = sfi_alloc_array(allocator, edges, sizeof *h->loops);
-        h->across = sfi_alloc_array(allocator, edges, sizeof *h->across);
-    }
-    return edges == 0 || (h->loops != NULL && h->across != NULL) ? SF_OK : SF_ERR_MEMORY;
-}
-
 // A point or a segment, from the least to the greatest.
 static sf_status make_line(const double *at, size_t count, uint32_t least,
                            const sf_allocator *allocator, sfi_hull *h)
@@ -161,7 +142,7 @@ static sf_status make_line(const double *at, size_t count, uint32_t least,
     for (uint32_t p = 0; p < count; p++) {
         greatest = is_before(at, greatest, p) ? p : greatest;
     }
-    SF_TRY(allocate(h, (size_t)h->dimension + 1, 0, 0, allocator));
+    SF_TRY(sfi_hull_allocate(h, (size_t)h->dimension + 1, 0, 0, allocator));
     h->corners[0] = least;
     if (h->dimension == 1) {
         h->corners[1] = greatest;
@@ -186,7 +167,7 @@ static int drop_axis(const double *at, const uint32_t s[4])
 static sf_status fill_flat(sfi_hull *h, const sfi_corner *corners, size_t count,
                            const sf_allocator *allocator)
 {
-    SF_TRY(allocate(h, count, 2, 2 * count, allocator));
+    SF_TRY(sfi_hull_allocate(h, count, 2, 2 * count, allocator));
     h->starts[0] = 0;
     h->starts[1] = count;
     for (size_t i = 0; i < count; i++) {
@@ -218,183 +199,6 @@ static sf_status make_flat(const double *at, size_t count, const uint32_t s[4],
 }
 
 // ---------------------------------------------------------------------------------------------
-// Faces out of triangles
-// ---------------------------------------------------------------------------------------------
-
-typedef struct merger {
-    const double *at;
-    size_t point_count;
-    const sfi_faces *from;
-    uint32_t *face_of; // of each triangle
-    uint32_t *stack;   // of triangles; then the successor of a point around a face
-    uint32_t *meeting; // faces that meet in a point; then its place among the corners
-    size_t face_count, edge_count, corner_count;
-} merger;
-
-// Triangles of one plane get one number.
-static void number_faces(merger *m)
-{
-    const sfi_face *t = m->from->faces;
-    for (size_t i = 0; i < m->from->count; i++) {
-        m->face_of[i] = UINT32_MAX;
-    }
-    for (size_t i = 0; i < m->from->count; i++) {
-        size_t depth = 0;
-        if (t[i].is_gone || m->face_of[i] != UINT32_MAX) {
-            continue;
-        }
-        m->stack[depth++] = (uint32_t)i;
-        m->face_of[i] = (uint32_t)m->face_count;
-        while (depth > 0) {
-            const sfi_face *f = &t[m->stack[--depth]];
-            for (int j = 0; j < 3; j++) {
-                const sfi_face *g = &t[f->beside[j]];
-                uint32_t a = f->corner[j], b = f->corner[(j + 1) % 3];
-                uint32_t far = g->corner[0] != a && g->corner[0] != b   ? g->corner[0]
-                               : g->corner[1] != a && g->corner[1] != b ? g->corner[1]
-                                                                        : g->corner[2];
-                if (m->face_of[f->beside[j]] == UINT32_MAX &&
-                    sfi_side(m->at, f->corner[0], f->corner[1], f->corner[2], far) == 0) {
-                    m->face_of[f->beside[j]] = (uint32_t)m->face_count;
-                    m->stack[depth++] = f->beside[j];
-                }
-            }
-        }
-        m->face_count++;
-    }
-}
-
-static int is_rim(const merger *m, size_t triangle, int j)
-{
-    const sfi_face *f = &m->from->faces[triangle];
-    return !f->is_gone && m->face_of[f->beside[j]] != m->face_of[triangle];
-}
-
-// Count faces around points, corners, and edges between corners.
-static void count_corners(merger *m)
-{
-    for (size_t p = 0; p < m->point_count; p++) {
-        m->meeting[p] = 0;
-    }
-    for (int pass = 0; pass < 2; pass++) {
-        for (size_t i = 0; i < m->from->count; i++) {
-            for (int j = 0; j < 3; j++) {
-                uint32_t p = m->from->faces[i].corner[j];
-                if (is_rim(m, i, j)) {
-                    m->meeting[p] += pass == 0;
-                    m->edge_count += pass == 1 && m->meeting[p] >= 3;
-                }
-            }
-        }
-    }
-    for (size_t p = 0; p < m->point_count; p++) {
-        m->corner_count += m->meeting[p] >= 3;
-    }
-}
-
-// Number the corners by their points, and let each face have as many places as it has corners.
-static void lay_out(merger *m, sfi_hull *h)
-{
-    uint32_t corners = 0;
-    for (size_t f = 0; f < h->face_count; f++) {
-        h->starts[f] = 0;
-    }
-    for (size_t i = 0; i < m->from->count; i++) {
-        for (int j = 0; j < 3; j++) {
-            if (is_rim(m, i, j) && m->meeting[m->from->faces[i].corner[j]] >= 3) {
-                h->starts[m->face_of[i]]++;
-            }
-        }
-    }
-    size_t sum = 0;
-    for (size_t f = 0; f < h->face_count; f++) {
-        size_t here = h->starts[f];
-        h->starts[f] = sum;
-        sum += here;
-    }
-    for (size_t p = 0; p < m->point_count; p++) {
-        int is_corner = m->meeting[p] >= 3;
-        if (is_corner) {
-            h->corners[corners] = (uint32_t)p;
-        }
-        m->meeting[p] = is_corner ? corners++ : UINT32_MAX;
-    }
-}
-
-// The place of a point among a triangle's corners.
-static int place_of(const sfi_face *f, uint32_t point)
-{
-    return f->corner[0] == point ? 0 : f->corner[1] == point ? 1 : 2;
-}
-
-// The edge of the rim after an edge of the rim: the face's triangles around its end, one by one.
-static void advance(const merger *m, size_t *triangle, int *j)
-{
-    const sfi_face *t = m->from->faces;
-    uint32_t point = t[*triangle].corner[(*j + 1) % 3];
-    *j = (*j + 1) % 3;
-    while (!is_rim(m, *triangle, *j)) {
-        *triangle = t[*triangle].beside[*j];
-        *j = place_of(&t[*triangle], point);
-    }
-}
-
-// Walk around the face of a triangle from an edge of its rim that begins in a corner.
-static void walk(const merger *m, size_t triangle, int j, sfi_hull *h)
-{
-    const sfi_face *t = m->from->faces;
-    size_t from = triangle, place = h->starts[m->face_of[triangle]];
-    int from_j = j;
-    do {
-        uint32_t corner = m->meeting[t[triangle].corner[j]];
-        if (corner != UINT32_MAX) {
-            h->loops[place] = corner;
-            h->across[place++] = m->face_of[t[triangle].beside[j]];
-        }
-        advance(m, &triangle, &j);
-    } while (triangle != from || j != from_j);
-}
-
-static void fill_loops(merger *m, sfi_hull *h)
-{
-    for (size_t f = 0; f < m->face_count; f++) {
-        m->stack[f] = 0; // not done
-    }
-    for (size_t i = 0; i < m->from->count; i++) {
-        for (int j = 0; j < 3; j++) {
-            if (is_rim(m, i, j) && m->meeting[m->from->faces[i].corner[j]] != UINT32_MAX &&
-                m->stack[m->face_of[i]] == 0) {
-                m->stack[m->face_of[i]] = 1;
-                walk(m, i, j, h);
-            }
-        }
-    }
-}
-
-static sf_status merge(const double *at, size_t count, const sfi_faces *triangles,
-                       const sf_allocator *allocator, sfi_hull *h)
-{
-    merger m = {.at = at, .point_count = count, .from = triangles};
-    m.face_of = sfi_alloc_array(allocator, triangles->count, sizeof *m.face_of);
-    m.stack = sfi_alloc_array(allocator, triangles->count, sizeof *m.stack);
-    m.meeting = sfi_alloc_array(allocator, count, sizeof *m.meeting);
-    sf_status status = SF_ERR_MEMORY;
-    if (m.face_of != NULL && m.stack != NULL && m.meeting != NULL) {
-        number_faces(&m);
-        count_corners(&m);
-        status = allocate(h, m.corner_count, m.face_count, m.edge_count, allocator);
-    }
-    if (status == SF_OK) {
-        lay_out(&m, h);
-        fill_loops(&m, h);
-    }
-    sfi_free_array(allocator, m.face_of, triangles->count, sizeof *m.face_of);
-    sfi_free_array(allocator, m.stack, triangles->count, sizeof *m.stack);
-    sfi_free_array(allocator, m.meeting, count, sizeof *m.meeting);
-    return status;
-}
-
-// ---------------------------------------------------------------------------------------------
 // All of it
 // ---------------------------------------------------------------------------------------------
 
@@ -410,7 +214,7 @@ static sf_status make(const double *at, size_t count, const sf_allocator *alloca
     }
     sfi_faces triangles = {NULL, 0, 0};
     SF_TRY(sfi_quickhull(at, count, simplex, allocator, &triangles));
-    sf_status status = merge(at, count, &triangles, allocator, h);
+    sf_status status = sfi_hull_merge(at, count, &triangles, allocator, h);
     sfi_faces_destroy(&triangles, allocator);
     return status;
 }
@@ -444,4 +248,90 @@ void sfi_hull_destroy(sfi_hull *h, const sf_allocator *allocator)
     sfi_free_array(allocator, h->across, edges, sizeof *h->across);
     sfi_free_array(allocator, h->corners, h->corner_count, sizeof *h->corners);
     sfi_free_array(allocator, h->starts, h->face_count + 1, sizeof *h->starts);
+}
+
+// ---------------------------------------------------------------------------------------------
+// What is asked of it
+// ---------------------------------------------------------------------------------------------
+
+static const double *corner_of(const sfi_hull *h, const double *points, size_t corner)
+{
+    return points + 3 * (size_t)h->corners[corner];
+}
+
+static void scale_to_one(double v[3])
+{
+    double length = sqrt(sfi_dot(v, v));
+    for (int d = 0; d < 3 && length > 0; d++) {
+        v[d] /= length;
+    }
+}
+
+void sfi_hull_normal(const sfi_hull *h, const double *points, size_t face, double normal[3])
+{
+    const uint32_t *loop = h->loops + h->starts[face];
+    size_t count = h->starts[face + 1] - h->starts[face];
+    const double *o = corner_of(h, points, loop[0]);
+    double sum[3] = {0, 0, 0};
+    for (size_t i = 1; i + 1 < count; i++) {
+        double u[3], v[3], n[3];
+        sfi_subtract(corner_of(h, points, loop[i]), o, u);
+        sfi_subtract(corner_of(h, points, loop[i + 1]), o, v);
+        sfi_cross(u, v, n);
+        for (int d = 0; d < 3; d++) {
+            sum[d] += n[d];
+        }
+    }
+    scale_to_one(sum);
+    for (int d = 0; d < 3; d++) {
+        normal[d] = sum[d];
+    }
+}
+
+// How far a place lies beyond the sides of the first face, in its plane.
+static double beside_polygon(const sfi_hull *h, const double *points, const double place[3])
+{
+    double normal[3], most = 0;
+    sfi_hull_normal(h, points, 0, normal);
+    for (size_t i = 0; i < h->starts[1]; i++) {
+        const double *a = corner_of(h, points, h->loops[i]);
+        double along[3], out[3], from[3];
+        sfi_subtract(corner_of(h, points, h->loops[(i + 1) % h->starts[1]]), a, along);
+        sfi_cross(along, normal, out);
+        scale_to_one(out);
+        sfi_subtract(place, a, from);
+        double far = sfi_dot(out, from);
+        most = far > most ? far : most;
+    }
+    return most;
+}
+
+static double from_segment(const sfi_hull *h, const double *points, const double place[3])
+{
+    const double *a = corner_of(h, points, 0), *b = corner_of(h, points, h->corner_count - 1);
+    double along[3], from[3];
+    sfi_subtract(b, a, along);
+    sfi_subtract(place, a, from);
+    double length = sfi_dot(along, along), share = length > 0 ? sfi_dot(along, from) / length : 0;
+    share = share < 0 ? 0 : share > 1 ? 1 : share;
+    for (int d = 0; d < 3; d++) {
+        from[d] -= share * along[d];
+    }
+    return sqrt(sfi_dot(from, from));
+}
+
+double sfi_hull_outside(const sfi_hull *h, const double *points, const double place[3])
+{
+    if (h->dimension < 2) {
+        return from_segment(h, points, place);
+    }
+    double most = h->dimension == 2 ? beside_polygon(h, points, place) : 0;
+    for (size_t f = 0; f < h->face_count; f++) {
+        double normal[3], from[3];
+        sfi_hull_normal(h, points, f, normal);
+        sfi_subtract(place, corner_of(h, points, h->loops[h->starts[f]]), from);
+        double far = sfi_dot(normal, from);
+        most = far > most ? far : most;
+    }
+    return most;
 }

@@ -25,4 +25,10 @@ sf_status sfi_hull_create(const double *points, size_t count, const sf_allocator
                           sfi_hull *hull);
 void sfi_hull_destroy(sfi_hull *hull, const sf_allocator *allocator);
 
+// The outward normal of a face, of length 1, from the points as they were given.
+void sfi_hull_normal(const sfi_hull *hull, const double *points, size_t face, double normal[3]);
+
+// How far a place lies outside of the hull: at most its distance, and 0 for what is inside.
+double sfi_hull_outside(const sfi_hull *hull, const double *points, const double place[3]);
+
 #endif

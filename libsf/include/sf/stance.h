@@ -229,6 +229,57 @@ typedef struct sf_stance_verdict {
 SF_API SF_CHECKED sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
                                             sf_stance_verdict *verdict);
 
+// ---------------------------------------------------------------------------------------------
+// Rest
+// ---------------------------------------------------------------------------------------------
+
+/** How a body lies once it has come to rest on level ground. */
+typedef struct sf_rest {
+    double up[3];         /**< the direction, in the mesh's frame, away from the ground; length 1 */
+    double tilt_rad;      /**< between the start's up and this one */
+    double height_mm;     /**< of the centre of mass above the ground */
+    double margin_rad;    /**< the least tilt of the ground that makes it leave */
+    size_t contact_count; /**< corners of the convex hull that touch the ground */
+    uint64_t turn_count;  /**< how many edges and corners it tipped over on its way */
+} sf_rest;
+
+/**
+ * Where a body comes to rest that is put on level ground in some orientation, and let go.
+ *
+ * It rolls on its convex hull as a body that tips slowly, neither slides nor gains momentum: it
+ * tips about the point of what touches the ground that is nearest to the centre of mass seen from
+ * above, an edge or a corner, until more of it touches; and so on, until the centre of mass lies
+ * over what it touches the ground with. That is the steepest descent of the height of the centre of
+ * mass over all orientations, and ends in a local minimum. A start that is balanced on an edge or a
+ * corner falls to one side, always the same. Corners within a millionth of the diagonal above the
+ * lowest one touch.
+ *
+ * A body that is flat lies down on a side; one without any width comes to rest as it lies.
+ *
+ * @param mesh       vertices in mm, with triangles; coordinates up to 1e12; only vertices that
+ *                   triangles use count, and it need not be closed
+ * @param com_mm     its centre of mass, in its convex hull (to a millionth of the diagonal)
+ * @param ups        of each start, the direction of the mesh that points up, of any length but 0
+ * @param count      how many starts
+ * @param allocator  for scratch, 200 bytes a vertex at worst; NULL for the C library's
+ * @param rests      receives one for each start
+ * @param fault      NULL, or receives a sentence on failure
+ * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
+ * triangles, a centre of mass outside of the hull, a start that is no direction; SF_ERR_OVERFLOW: a
+ * coordinate beyond 1e12, more than 2^30 vertices; SF_ERR_MEMORY.
+ * @cost typically n log n for n vertices; for each start and edge or corner it tips over, one pass
+ * over the corners of the hull.
+ * @threads any; one at a time for each allocator.
+ * @source hull: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull Algorithm for Convex
+ * Hulls", 1996; rolling: M. Goldberg, R. K. Guy, "Stability of Polyhedra (J. H. Conway and R. K.
+ * Guy)", 1969.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_mesh_rest(sf_mesh_view mesh, const double com_mm[3],
+                                         const double *ups, size_t count,
+                                         const sf_allocator *allocator, sf_rest *rests,
+                                         sf_fault *fault);
+
 #ifdef __cplusplus
 }
 #endif
