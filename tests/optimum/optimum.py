@@ -75,10 +75,11 @@ def unsupported(grid):
     return sum(1 for v in zip(*np.nonzero(grid)) if v[0] > bed and not any(grid[u] for u in supporters(v, n)))
 
 
-def repair_all(program, grids):
+def repair_all(command, grids):
+    """What a command makes of grids."""
     text = "".join(f"{g.shape[2]} {g.shape[1]} {g.shape[0]}\n" + "".join("01"[int(v)] for v in g.flat) + "\n"
                    for g in grids)
-    answer = subprocess.run([program], input=text, capture_output=True, text=True, check=True).stdout
+    answer = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
     return [np.array([c == "1" for c in line]).reshape(g.shape) for line, g in zip(answer.split("\n"), grids)]
 
 
@@ -94,7 +95,7 @@ def main():
         grid = make(kind, n, rng)
         if not grid.any():
             continue
-        (repaired,) = repair_all(program, [grid])
+        (repaired,) = repair_all([program], [grid])
         cost = int((grid ^ repaired).sum())
         optimum = least(grid)
         if optimum is None or optimum == 0:

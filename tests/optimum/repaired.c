@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Repairs grids from stdin and prints them, for tests/optimum/optimum.py to compare with the least.
+// Repairs grids from stdin and prints them, for tests/optimum/*.py to compare with the least.
+//
+// usage: repaired [grow]; with grow, sf_grid_grow() has them.
 //
 // A grid is a line "nx ny nz" and a line of nx * ny * nz digits 0 or 1 in (layer, y, x) order. Each
 // is answered by a line of as many digits. Rule box3, every change costs 1.
 
+#include <sf/grow.h>
 #include <sf/repair.h>
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-#define EXTENT_MAX 64
+#define EXTENT_MAX 128
 
 static void must(sf_status status)
 {
@@ -40,21 +44,28 @@ static int each_voxel(sf_grid *grid, int is_reading)
     return 1;
 }
 
-int main(void)
+static void make(sf_grid *grid, int is_grow)
 {
+    sf_repair_options options = sf_repair_options_default();
+    must(is_grow ? sf_grid_grow(grid, &options.terms, NULL, NULL, NULL, NULL)
+                 : sf_grid_repair(grid, &options, NULL, NULL, NULL, NULL));
+}
+
+int main(int argc, char **argv)
+{
+    int is_grow = argc > 1 && strcmp(argv[1], "grow") == 0;
     unsigned n[3];
     while (scanf("%u %u %u", &n[0], &n[1], &n[2]) == 3) {
         if (n[0] > EXTENT_MAX || n[1] > EXTENT_MAX || n[2] > EXTENT_MAX) {
             return 2;
         }
         sf_lattice lattice = {n[0], n[1], n[2], 1, 1, 1, NULL, {0, 0, 0}};
-        sf_repair_options options = sf_repair_options_default();
         sf_grid *grid;
         must(sf_grid_create(&lattice, NULL, &grid));
         if (!each_voxel(grid, 1)) {
             return 2;
         }
-        must(sf_grid_repair(grid, &options, NULL, NULL, NULL, NULL));
+        make(grid, is_grow);
         (void)each_voxel(grid, 0);
         putchar('\n');
         sf_grid_destroy(grid);
