@@ -7,6 +7,7 @@
 #include <sf/base.h>
 #include <sf/bend.h>
 #include <sf/body.h>
+#include <sf/carve.h>
 #include <sf/certificate.h>
 #include <sf/finding.h>
 #include <sf/grow.h>

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// Boxes around the triangles of a mesh, to find out whether any of them comes near.
+//
+// Triangles are sorted along a curve through space that visits what is close together one after
+// the other (G. M. Morton, 1966: the bits of the three coordinates, one of each in turn). Then
+// eight boxes in a row make a block, which has a box one level up, and so on: building is a radix
+// sort and one pass, and the tree needs no links. The boxes of a block lie side by side in memory,
+// so that a compiler can look at several with one instruction.
+//
+// A search leaves out what is not near, so that a no has looked at little more than what might have
+// been a yes, and goes into the nearest box first, so that a yes is soon found.
+
+#include "balance/near.h"
+
+#include "base/memory.h"
+#include "base/status.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define MORTON_BITS 10
+#define RADIX_BITS 10
+#define NOWHERE (-1e150) // half the size of a box that there is not
+
+typedef struct entry {
+    uint32_t key, triangle;
+} entry;
+
+static const double *corner_of(const sf_mesh_view *mesh, size_t triangle, int i)
+{
+    return mesh->vertices + 3 * (size_t)mesh->triangles[3 * triangle + (size_t)i];
+}
+
+// ---------------------------------------------------------------------------------------------
+// Sorting
+// ---------------------------------------------------------------------------------------------
+
+// Bits of a number of 10 bits with two zeros before each.
+static uint32_t spread(uint32_t v)
+{
+    v = (v | v << 16) & 0x030000ffu;
+    v = (v | v << 8) & 0x0300f00fu;
+    v = (v | v << 4) & 0x030c30c3u;
+    return (v | v << 2) & 0x09249249u;
+}
+
+static void find_bounds(const sf_mesh_view *mesh, double low[3], double *size)
+{
+    double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
+    low[0] = low[1] = low[2] = DBL_MAX;
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        const double *v = mesh->vertices + 3 * i;
+        for (int j = 0; j < 3; j++) {
+            low[j] = v[j] < low[j] ? v[j] : low[j];
+            high[j] = v[j] > high[j] ? v[j] : high[j];
+        }
+    }
+    *size = 0;
+    for (int j = 0; j < 3; j++) {
+        *size = high[j] - low[j] > *size ? high[j] - low[j] : *size;
+    }
+}
+
+static void make_keys(const sf_mesh_view *mesh, entry *entries)
+{
+    double low[3], size;
+    find_bounds(mesh, low, &size);
+    double scale = size > 0 && size < DBL_MAX ? (1 << MORTON_BITS) / size : 0;
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
+        uint32_t key = 0;
+        for (int j = 0; j < 3; j++) {
+            double sum = 0;
+            for (int i = 0; i < 3; i++) {
+                sum += (corner_of(mesh, t, i)[j] - low[j]) * scale;
+            }
+            uint32_t cell = sum > 0 ? sum < 3 * 1023.0 ? (uint32_t)(sum / 3) : 1023 : 0;
+            key |= spread(cell) << j;
+        }
+        entries[t].key = key;
+        entries[t].triangle = (uint32_t)t;
+    }
+}
+
+static void sort_pass(const entry *from, entry *to, size_t count, unsigned shift)
+{
+    size_t place[(1 << RADIX_BITS) + 1] = {0};
+    for (size_t i = 0; i < count; i++) {
+        place[(from[i].key >> shift & ((1 << RADIX_BITS) - 1)) + 1]++;
+    }
+    for (size_t b = 0; b < 1 << RADIX_BITS; b++) {
+        place[b + 1] += place[b];
+    }
+    for (size_t i = 0; i < count; i++) {
+        to[place[from[i].key >> shift & ((1 << RADIX_BITS) - 1)]++] = from[i];
+    }
+}
+
+static sf_status sort(sfi_near *near, const sf_allocator *allocator)
+{
+    size_t count = near->mesh.triangle_count;
+    entry *entries = sfi_alloc_array(allocator, count, 2 * sizeof *entries);
+    near->order = sfi_alloc_array(allocator, count, sizeof *near->order);
+    if (entries != NULL && near->order != NULL) {
+        entry *spare = entries + count;
+        make_keys(&near->mesh, entries);
+        sort_pass(entries, spare, count, 0);
+        sort_pass(spare, entries, count, RADIX_BITS);
+        sort_pass(entries, spare, count, 2 * RADIX_BITS);
+        for (size_t i = 0; i < count; i++) {
+            near->order[i] = spare[i].triangle;
+        }
+    }
+    int good = entries != NULL && near->order != NULL;
+    sfi_free_array(allocator, entries, count, 2 * sizeof *entries);
+    return good ? SF_OK : SF_ERR_MEMORY;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Boxes
+// ---------------------------------------------------------------------------------------------
+
+typedef struct span {
+    double low, high;
+} span;
+
+static span triangle_span(const sfi_near *near, size_t place, int axis)
+{
+    size_t t = near->order[place];
+    double v = corner_of(&near->mesh, t, 0)[axis];
+    span s = {v, v};
+    for (int i = 1; i < 3; i++) {
+        v = corner_of(&near->mesh, t, i)[axis];
+        s.low = v < s.low ? v : s.low;
+        s.high = v > s.high ? v : s.high;
+    }
+    return s;
+}
+
+static span block_span(const sfi_near_block *block, int axis)
+{
+    span s = {DBL_MAX, -DBL_MAX};
+    for (size_t i = 0; i < SFI_NEAR_SPAN; i++) {
+        double low = block->middle[axis][i] - block->half[axis][i];
+        double high = block->middle[axis][i] + block->half[axis][i];
+        if (block->half[axis][i] >= 0) {
+            s.low = low < s.low ? low : s.low;
+            s.high = high > s.high ? high : s.high;
+        }
+    }
+    return s;
+}
+
+// Around a span, with room for what rounding costs here and one level up.
+static void lay_box(sfi_near_block *block, size_t i, int axis, span s)
+{
+    double middle = 0.5 * s.low + 0.5 * s.high, largest = fabs(s.low) + fabs(s.high);
+    block->middle[axis][i] = middle;
+    block->half[axis][i] = 0.5 * s.high - 0.5 * s.low + largest * (8 * DBL_EPSILON);
+}
+
+static void lay_boxes(sfi_near *near)
+{
+    size_t all = near->first[near->levels], count = near->mesh.triangle_count;
+    for (size_t i = 0; i < all * 3 * SFI_NEAR_SPAN; i++) {
+        size_t j = i % (3 * SFI_NEAR_SPAN);
+        sfi_near_block *block = &near->blocks[i / (3 * SFI_NEAR_SPAN)];
+        block->middle[j / SFI_NEAR_SPAN][j % SFI_NEAR_SPAN] = 0;
+        block->half[j / SFI_NEAR_SPAN][j % SFI_NEAR_SPAN] = NOWHERE;
+    }
+    for (size_t level = 0; level < near->levels; level++) {
+        for (size_t i = 0; i < 3 * count; i++) {
+            int axis = (int)(i % 3);
+            span s = level == 0 ? triangle_span(near, i / 3, axis)
+                                : block_span(&near->blocks[near->first[level - 1] + i / 3], axis);
+            lay_box(&near->blocks[near->first[level] + i / 3 / SFI_NEAR_SPAN],
+                    i / 3 % SFI_NEAR_SPAN, axis, s);
+        }
+        count = near->first[level + 1] - near->first[level];
+    }
+}
+
+sf_status sfi_near_create(sf_mesh_view mesh, const sf_allocator *allocator, sfi_near *near)
+{
+    memset(near, 0, sizeof *near);
+    near->mesh = mesh;
+    if (mesh.triangle_count == 0) {
+        return SF_OK;
+    }
+    if (mesh.triangle_count > UINT32_MAX) {
+        return SF_ERR_OVERFLOW;
+    }
+    size_t count = (mesh.triangle_count - 1) / SFI_NEAR_SPAN + 1;
+    for (near->levels = 1; count > 1; near->levels++) {
+        near->first[near->levels] = near->first[near->levels - 1] + count;
+        count = (count - 1) / SFI_NEAR_SPAN + 1;
+    }
+    near->first[near->levels] = near->first[near->levels - 1] + 1;
+    sf_status status = sort(near, allocator);
+    if (status == SF_OK) {
+        near->blocks = sfi_alloc_array(allocator, near->first[near->levels], sizeof *near->blocks);
+        status = near->blocks != NULL ? SF_OK : SF_ERR_MEMORY;
+    }
+    if (status != SF_OK) {
+        sfi_near_destroy(near, allocator);
+        return status;
+    }
+    lay_boxes(near);
+    return SF_OK;
+}
+
+void sfi_near_destroy(sfi_near *near, const sf_allocator *allocator)
+{
+    sfi_free_array(allocator, near->order, near->mesh.triangle_count, sizeof *near->order);
+    sfi_free_array(allocator, near->blocks, near->first[near->levels], sizeof *near->blocks);
+    memset(near, 0, sizeof *near);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Searching
+// ---------------------------------------------------------------------------------------------
+
+typedef struct query {
+    const double *middle, *half;
+    double limit, squared_limit;
+} query;
+
+static int triangle_is_near(const sfi_near *near, size_t place, const query *q)
+{
+    double corners[3][3];
+    for (int i = 0; i < 3; i++) {
+        const double *corner = corner_of(&near->mesh, near->order[place], i);
+        for (int j = 0; j < 3; j++) {
+            corners[i][j] = corner[j] - q->middle[j];
+        }
+    }
+    return sfi_triangle_is_near((const double(*)[3])corners, q->half, q->limit);
+}
+
+// Squared gap between the box of the query and each of a block.
+static void measure(const sfi_near_block *block, const query *q, double gaps[SFI_NEAR_SPAN])
+{
+    for (size_t i = 0; i < SFI_NEAR_SPAN; i++) {
+        gaps[i] = 0;
+    }
+    for (int j = 0; j < 3; j++) {
+        double middle = q->middle[j], half = q->half[j];
+        for (size_t i = 0; i < SFI_NEAR_SPAN; i++) {
+            double gap = fabs(block->middle[j][i] - middle) - block->half[j][i] - half;
+            gap = 0.5 * (gap + fabs(gap)); // 0 where it is negative, without a branch
+            gaps[i] += gap * gap;
+        }
+    }
+}
+
+// A block to look into.
+typedef struct visit {
+    size_t level, index;
+} visit;
+
+// Put the near boxes of a block on the stack, the nearest last; level 0: ask the triangles. Returns
+// whether one of them is near.
+static int look_into(const sfi_near *near, visit here, const query *q, visit *stack, size_t *depth)
+{
+    double gaps[SFI_NEAR_SPAN], least = DBL_MAX;
+    measure(&near->blocks[near->first[here.level] + here.index], q, gaps);
+    for (size_t i = 0; i < SFI_NEAR_SPAN; i++) {
+        size_t inner = here.index * SFI_NEAR_SPAN + i;
+        if (!(gaps[i] < q->squared_limit)) {
+            continue;
+        }
+        if (here.level == 0) {
+            if (triangle_is_near(near, inner, q)) {
+                return 1;
+            }
+            continue;
+        }
+        visit next = {here.level - 1, inner};
+        stack[*depth] = next;
+        if (gaps[i] > least) {
+            stack[*depth] = stack[*depth - 1];
+            stack[*depth - 1] = next;
+        }
+        least = gaps[i] < least ? gaps[i] : least;
+        *depth += 1;
+    }
+    return 0;
+}
+
+int sfi_near_any(const sfi_near *near, const double middle[3], const double half[3], double limit)
+{
+    visit stack[SFI_NEAR_LEVELS * SFI_NEAR_SPAN];
+    query q = {middle, half, limit, limit * limit};
+    if (near->levels == 0 || !(limit > 0)) {
+        return 0;
+    }
+    size_t depth = 1;
+    stack[0].level = near->levels - 1;
+    stack[0].index = 0;
+    while (depth > 0) {
+        visit here = stack[--depth];
+        if (look_into(near, here, &q, stack, &depth)) {
+            return 1;
+        }
+    }
+    return 0;
+}
