@@ -194,6 +194,92 @@ SF_API SF_CHECKED sf_status sf_grid_carve(const sf_grid *solid, const sf_grid *w
                                           const sf_allocator *allocator, sf_task *task,
                                           sf_grid *result, sf_carve_report *report);
 
+// ---------------------------------------------------------------------------------------------
+// Drain holes
+// ---------------------------------------------------------------------------------------------
+
+/** One hole: a shaft from a void down to the open. */
+typedef struct sf_drain {
+    double from_mm[3];    /**< middle of its upper end, in the void */
+    double to_mm[3];      /**< middle of its lower end; straight below where it could be */
+    uint64_t voxels;      /**< solid voxels that were drilled out */
+    sf_body body;         /**< what they weighed */
+    uint64_t void_voxels; /**< of the void that it was drilled for */
+} sf_drain;
+
+/** How holes are drilled. Fill with sf_drain_options_default(), and set the diameter. */
+typedef struct sf_drain_options {
+    size_t struct_size;   /**< sizeof(sf_drain_options), set by the default */
+    double diameter_mm;   /**< a round rod of that diameter passes; above 0 */
+    uint32_t count;       /**< holes for each void, far from each other; 1 by default */
+    uint64_t void_min;    /**< voids of fewer voxels get none; 0 by default */
+    const float *density; /**< of each voxel, as in sf_carve_options; NULL (default): 1 */
+    sf_body body;         /**< what the whole part weighs; looked at where there are stances */
+    const sf_stance *const *stances; /**< whose balance is to change least */
+    size_t stance_count;             /**< 0 (default): holes are as short as can be */
+    sf_drain *drains;                /**< the caller's array, or NULL for counts only (default) */
+    size_t drain_capacity;           /**< places in it */
+} sf_drain_options;
+
+/**
+ * Options of drains: no diameter yet, a hole for each void, no stances, counts only.
+ *
+ * @return the options, by value.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API sf_drain_options sf_drain_options_default(void);
+
+/** What became of the voids. */
+typedef struct sf_drain_report {
+    uint64_t void_count;     /**< voids that were closed */
+    uint64_t void_voxels;    /**< and their voxels */
+    uint64_t drained_count;  /**< of these, voids that are open now */
+    uint64_t closed_count;   /**< and those that are not: no hole fits, none may be drilled, or they
+                                  are too small. sf_grid_voids() with an open bed names them */
+    uint64_t closed_voxels;  /**< and their voxels */
+    uint64_t drain_count;    /**< holes */
+    uint64_t drains_dropped; /**< holes without a place in the array */
+    uint64_t removed_voxels; /**< voxels of all holes */
+    sf_body removed;         /**< what they weighed */
+} sf_drain_report;
+
+/**
+ * Drill a hole into every void that is closed, in place: what is in it can leave.
+ *
+ * A void is closed when its empty voxels, connected through faces, touch no side of the grid, nor
+ * its top or bottom: the bed is open once the part is off it. Its holes start where a disk of the
+ * diameter fits into it, and go straight down until all of the disk is in the open, the holes of
+ * other voids included; voids that they pass through are open then too. Where none may be drilled
+ * straight, holes go down aslant, in eight directions, as flat as the rule lets ceilings be. Of all
+ * places the one is taken whose volume, times its distance from the centre of mass across up where
+ * there are stances (the largest of them), is least.
+ *
+ * With terms no hole is drilled that leaves anything unsupported that was supported before it,
+ * exempt voxels included, that takes a voxel of `keep`, or one outside `act`.
+ *
+ * @param grid       the part, changed in place
+ * @param terms      rule, bed layer and masks; NULL: nothing needs support
+ * @param options    diameter, count, stances
+ * @param allocator  for working memory: three grids, the runs of what is empty, and 24 bytes for
+ *                   each voxel of a void's surface; NULL for the C library's
+ * @param task       NULL, or progress per void; a cancel is honoured before each try
+ * @param report     counts; may be NULL
+ * @return SF_OK, be all voids open or not; SF_ERR_ARGUMENT: a NULL pointer, options without their
+ * struct_size, a diameter that is not above 0 or not finite, a count of 0, a capacity without an
+ * array, a density of a drilled voxel or a body that is not finite, stances and a body without
+ * mass, terms that do not serve the grid, or name it; SF_ERR_SHAPE: masks of other counts;
+ * SF_ERR_UNSUPPORTED: a diameter of more than 500 voxels; SF_ERR_OVERFLOW; SF_ERR_MEMORY;
+ * SF_ERR_CANCELLED.
+ * @cost for each hole, and each place that was tried in vain, at most 64 for a void, a trim.
+ * @threads one per grid.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_drain(sf_grid *grid, const sf_terms *terms,
+                                          const sf_drain_options *options,
+                                          const sf_allocator *allocator, sf_task *task,
+                                          sf_drain_report *report);
+
 #ifdef __cplusplus
 }
 #endif

@@ -78,11 +78,12 @@ static inline double segment_segment(vec a, vec b, vec c, vec d)
 }
 
 // Where p lies over a triangle: distance to its plane where the foot is inside, else a large one.
+// So thin a triangle that its normal is rounding has edges that say as much.
 static inline double point_face(vec p, const vec t[3])
 {
-    vec n = vec_cross(vec_add(t[1], -1, t[0]), vec_add(t[2], -1, t[0]));
+    vec e = vec_add(t[1], -1, t[0]), f = vec_add(t[2], -1, t[0]), n = vec_cross(e, f);
     double nn = vec_dot(n, n);
-    if (!(nn > 0)) {
+    if (!(nn > 1e-16 * vec_dot(e, e) * vec_dot(f, f))) {
         return 1e300;
     }
     for (int i = 0; i < 3; i++) {
