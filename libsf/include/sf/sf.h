@@ -9,6 +9,7 @@
 #include <sf/body.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
+#include <sf/density.h>
 #include <sf/finding.h>
 #include <sf/grow.h>
 #include <sf/handles.h>
