@@ -23,16 +23,6 @@
 enum { SIDES = 16 };
 #define COS_PI_16 0.98078528040323044913
 
-// Cosine of i / 16 of a turn; of the first quarter, by tables.
-static double cosine(int i)
-{
-    static const double quarter[5] = {1, 0.92387953251128675613, 0.70710678118654752440,
-                                      0.38268343236508977173, 0};
-    i = (i % SIDES + SIDES) % SIDES;
-    i = i > SIDES / 2 ? SIDES - i : i;
-    return i <= 4 ? quarter[i] : -quarter[8 - i];
-}
-
 sf_status sfi_hang_bound(sf_stance *s)
 {
     const double *p = s->options.point_mm;
@@ -40,8 +30,8 @@ sf_status sfi_hang_bound(sf_stance *s)
     SF_TRY(sfi_stance_reserve(s, SIDES + 1));
     for (int i = 0; i < SIDES; i++) {
         for (int d = 0; d < 3; d++) {
-            normal[d] =
-                -cosine(i) * s->east[d] - cosine(i - 4) * s->north[d] - slope * s->options.up[d];
+            normal[d] = -sfi_cosine(2 * i) * s->east[d] - sfi_cosine(2 * i - 8) * s->north[d] -
+                        slope * s->options.up[d];
         }
         sfi_stance_bound(s, normal, p, 0);
     }

@@ -12,29 +12,44 @@
 
 #define OUTSIDE_SHARE 1e-6
 
-// Everything that rolling needs, from points that are gathered.
-static sf_status roll_all(const double *points, size_t point_count, double diagonal,
-                          const double com[3], const double *ups, size_t count,
-                          const sf_allocator *allocator, sf_rest *rests, sf_fault *fault)
+typedef struct releases { // of one body, from many starts
+    const double *com, *ups;
+    size_t count;
+    double diagonal;
+} releases;
+
+static sf_status roll_all(const releases *all, const double *corners, size_t corner_count,
+                          const sf_allocator *allocator, sf_rest *rests)
 {
-    sfi_hull hull;
     sfi_roller roller;
     double edge[2][3], up[3];
+    SF_TRY(sfi_roller_create(corners, corner_count, all->diagonal,
+                             SFI_CONTACT_SHARE * all->diagonal, allocator, &roller));
+    for (size_t i = 0; i < all->count; i++) {
+        memcpy(up, all->ups + 3 * i, sizeof up);
+        sfi_normalize(up);
+        sfi_roll(&roller, all->com, up, &rests[i], edge);
+    }
+    sfi_roller_destroy(&roller, allocator);
+    return SF_OK;
+}
+
+// The same from points that are gathered.
+static sf_status make_hull_and_roll(const releases *all, const double *points, size_t point_count,
+                                    const sf_allocator *allocator, sf_rest *rests, sf_fault *fault)
+{
+    sfi_hull hull;
+    double *corners = NULL;
     SF_TRY(sfi_hull_create(points, point_count, allocator, &hull));
     sf_status status =
-        sfi_hull_outside(&hull, points, com) > OUTSIDE_SHARE * diagonal
+        sfi_hull_outside(&hull, points, all->com) > OUTSIDE_SHARE * all->diagonal
             ? sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
                             "the centre of mass lies outside of the body's convex hull, where none "
                             "can be")
-            : sfi_roller_create(points, &hull, diagonal, SFI_CONTACT_SHARE * diagonal, allocator,
-                                &roller);
+            : sfi_hull_corners(&hull, points, allocator, &corners);
     if (status == SF_OK) {
-        for (size_t i = 0; i < count; i++) {
-            memcpy(up, ups + 3 * i, sizeof up);
-            sfi_normalize(up);
-            sfi_roll(&roller, com, up, &rests[i], edge);
-        }
-        sfi_roller_destroy(&roller, allocator);
+        status = roll_all(all, corners, hull.corner_count, allocator, rests);
+        sfi_free_array(allocator, corners, hull.corner_count, 3 * sizeof *corners);
     }
     sfi_hull_destroy(&hull, allocator);
     return status;
@@ -62,17 +77,19 @@ sf_status sf_mesh_rest(sf_mesh_view mesh, const double com_mm[3], const double *
 {
     const double low[3] = {-INFINITY, -INFINITY, -INFINITY};
     const double high[3] = {INFINITY, INFINITY, INFINITY};
-    double corner[3], diagonal, *points;
+    releases all = {com_mm, ups, count, 0};
+    double corner[3], extent[3], *points;
     size_t point_count;
     if (com_mm == NULL || ((ups == NULL || rests == NULL) && count > 0)) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "a pointer is missing");
     }
     SF_TRY(check(com_mm, ups, count, fault));
-    SF_TRY(sfi_mesh_box(mesh, corner, &diagonal, fault));
+    SF_TRY(sfi_mesh_box(mesh, corner, extent, fault));
+    all.diagonal = sfi_length(extent);
     sf_allocator from = sfi_allocator_or_default(allocator);
     sf_status status = sfi_gather(mesh, low, high, &from, &points, &point_count);
     if (status == SF_OK) {
-        status = roll_all(points, point_count, diagonal, com_mm, ups, count, &from, rests, fault);
+        status = make_hull_and_roll(&all, points, point_count, &from, rests, fault);
         sfi_free_array(&from, points, point_count, 3 * sizeof *points);
     }
     if (status == SF_ERR_MEMORY || status == SF_ERR_OVERFLOW) {

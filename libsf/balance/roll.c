@@ -45,19 +45,29 @@
 #define HAIR 1e-12 // of the diagonal: what is no distance
 #define THIN 1e-9  // of the diagonal: what is no width
 
-sf_status sfi_roller_create(const double *points, const sfi_hull *hull, double diagonal_mm,
-                            double contact_mm, const sf_allocator *allocator, sfi_roller *roller)
+sf_status sfi_hull_corners(const sfi_hull *hull, const double *points,
+                           const sf_allocator *allocator, double **corners)
 {
-    sfi_roller made = {NULL, hull->corner_count, diagonal_mm, contact_mm, NULL, NULL};
-    made.corners = sfi_alloc_array(allocator, made.count, 3 * sizeof *made.corners);
-    made.touching = sfi_alloc_array(allocator, made.count, sizeof *made.touching);
-    made.polygon = sfi_alloc_array(allocator, made.count, sizeof *made.polygon);
-    if (made.corners == NULL || made.touching == NULL || made.polygon == NULL) {
-        sfi_roller_destroy(&made, allocator);
+    double *made = sfi_alloc_array(allocator, hull->corner_count, 3 * sizeof *made);
+    if (made == NULL) {
         return SF_ERR_MEMORY;
     }
-    for (size_t i = 0; i < made.count; i++) {
-        memcpy(made.corners + 3 * i, points + 3 * (size_t)hull->corners[i], 3 * sizeof(double));
+    for (size_t i = 0; i < hull->corner_count; i++) {
+        memcpy(made + 3 * i, points + 3 * (size_t)hull->corners[i], 3 * sizeof *made);
+    }
+    *corners = made;
+    return SF_OK;
+}
+
+sf_status sfi_roller_create(const double *corners, size_t count, double diagonal_mm,
+                            double contact_mm, const sf_allocator *allocator, sfi_roller *roller)
+{
+    sfi_roller made = {corners, count, diagonal_mm, contact_mm, NULL, NULL};
+    made.touching = sfi_alloc_array(allocator, count, sizeof *made.touching);
+    made.polygon = sfi_alloc_array(allocator, count, sizeof *made.polygon);
+    if (made.touching == NULL || made.polygon == NULL) {
+        sfi_roller_destroy(&made, allocator);
+        return SF_ERR_MEMORY;
     }
     *roller = made;
     return SF_OK;
@@ -65,7 +75,6 @@ sf_status sfi_roller_create(const double *points, const sfi_hull *hull, double d
 
 void sfi_roller_destroy(sfi_roller *r, const sf_allocator *allocator)
 {
-    sfi_free_array(allocator, r->corners, r->count, 3 * sizeof *r->corners);
     sfi_free_array(allocator, r->touching, r->count, sizeof *r->touching);
     sfi_free_array(allocator, r->polygon, r->count, sizeof *r->polygon);
 }

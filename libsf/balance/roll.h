@@ -9,9 +9,9 @@
 #include "base/polygon.h"
 #include "mesh/hull.h"
 
-// The corners of a body's hull, and room to work in.
+// The corners of a body's hull, somebody else's, and room to work in.
 typedef struct sfi_roller {
-    double *corners; // three a corner
+    const double *corners; // three a corner
     size_t count;
     double diagonal_mm;
     double contact_mm; // corners this close above the lowest one touch
@@ -19,8 +19,12 @@ typedef struct sfi_roller {
     sfi_corner *polygon;
 } sfi_roller;
 
-// The corners of a hull of these points. SF_ERR_MEMORY.
-sf_status sfi_roller_create(const double *points, const sfi_hull *hull, double diagonal_mm,
+// Where the corners of a hull of these points lie, three numbers each. SF_ERR_MEMORY.
+sf_status sfi_hull_corners(const sfi_hull *hull, const double *points,
+                           const sf_allocator *allocator, double **corners);
+
+// SF_ERR_MEMORY.
+sf_status sfi_roller_create(const double *corners, size_t count, double diagonal_mm,
                             double contact_mm, const sf_allocator *allocator, sfi_roller *roller);
 void sfi_roller_destroy(sfi_roller *roller, const sf_allocator *allocator);
 

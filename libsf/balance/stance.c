@@ -2,8 +2,8 @@
 // Stances: how a body is to come to rest, and what that asks of its centre of mass.
 //
 // This file makes, keeps and shows them. What touches the ground is found in contact.c; what
-// standing and hanging ask for is said in tip.c and hang.c, as half-spaces and as a verdict. The
-// two must agree: a centre of mass in all half-spaces stands, and tests hold that.
+// standing, hanging and rocking ask for is said in tip.c, hang.c and rock.c, as half-spaces and as
+// a verdict. The two must agree: a centre of mass in all half-spaces stands, and tests hold that.
 
 #include "balance/stance.h"
 
@@ -54,6 +54,22 @@ double sfi_tilt(const double a[3], const double b[3])
     sfi_subtract(u, v, difference);
     double along = sfi_length(sum);
     return along > 0 ? 2 * sfi_atan(sfi_length(difference) / along) : 2 * SFI_HALF_PI;
+}
+
+double sfi_cosine(int i)
+{
+    static const double quarter[9] = {1,
+                                      0.98078528040323044913,
+                                      0.92387953251128675613,
+                                      0.83146961230254523708,
+                                      0.70710678118654752440,
+                                      0.55557023301960222474,
+                                      0.38268343236508977173,
+                                      0.19509032201612826785,
+                                      0};
+    i = (i % 32 + 32) % 32;
+    i = i > 16 ? 32 - i : i;
+    return i <= 8 ? quarter[i] : -quarter[16 - i];
 }
 
 // From the axis that up leans to least, so that an up along an axis gets axes.
@@ -180,9 +196,9 @@ static void resolve(sf_stance *s, const sf_stance_options *options)
 // Making and freeing
 // ---------------------------------------------------------------------------------------------
 
-sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double *diagonal, sf_fault *fault)
+sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double extent[3], sf_fault *fault)
 {
-    double high[3], extent[3];
+    double high[3];
     SF_TRY(sf_mesh_validate(mesh, fault));
     if (mesh.triangle_count == 0) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "the mesh has no triangles");
@@ -193,7 +209,6 @@ sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double *diagonal, sf_fa
                              "the mesh reaches beyond 1e12 mm; check its units");
     }
     sfi_subtract(high, low, extent);
-    *diagonal = sfi_length(extent);
     return SF_OK;
 }
 
@@ -201,7 +216,9 @@ static sf_status fill(sf_stance *s, sf_mesh_view mesh, sf_fault *fault)
 {
     sf_status status = sfi_stance_touch(s, mesh, fault);
     if (status == SF_OK) {
-        status = s->options.kind == SF_STANCE_HANG ? sfi_hang_bound(s) : sfi_stand_bound(s);
+        status = s->options.kind == SF_STANCE_HANG   ? sfi_hang_bound(s)
+                 : s->options.kind == SF_STANCE_ROCK ? sfi_rock_bound(s, mesh, fault)
+                                                     : sfi_stand_bound(s);
     }
     return status == SF_ERR_MEMORY
                ? sfi_fault_set(fault, status, 0, 0, "there is not enough memory for the stance")
@@ -218,13 +235,11 @@ sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_options *options,
     if (wrong != NULL) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "%s", wrong);
     }
-    if (options->kind == SF_STANCE_ROCK) {
-        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0, "rocking is not served");
-    }
     sf_stance made;
     memset(&made, 0, sizeof made);
     made.allocator = sfi_allocator_or_default(allocator);
-    SF_TRY(sfi_mesh_box(mesh, made.low, &made.diagonal_mm, fault));
+    SF_TRY(sfi_mesh_box(mesh, made.low, made.extent, fault));
+    made.diagonal_mm = sfi_length(made.extent);
     made.vertex_count = mesh.vertex_count;
     resolve(&made, options);
     sfi_frame_around(made.options.up, made.east, made.north);
@@ -248,6 +263,7 @@ void sf_stance_destroy(sf_stance *stance)
     if (stance != NULL) {
         sf_allocator from = stance->allocator;
         sfi_free_array(&from, stance->contacts, stance->contact_count, sizeof *stance->contacts);
+        sfi_free_array(&from, stance->corners, stance->corner_count, 3 * sizeof(double));
         sfi_free_array(&from, stance->polygon, stance->polygon_capacity, 3 * sizeof(double));
         sfi_free_array(&from, stance->halfspaces, stance->halfspace_capacity,
                        sizeof *stance->halfspaces);
@@ -326,6 +342,8 @@ sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
     found.safe = found.slack_mm >= -SAFE_SHARE * stance->diagonal_mm;
     if (stance->options.kind == SF_STANCE_HANG) {
         sfi_hang_judge(stance, com_mm, &found);
+    } else if (stance->options.kind == SF_STANCE_ROCK) {
+        SF_TRY(sfi_rock_judge(stance, com_mm, &found));
     } else {
         sfi_stand_judge(stance, com_mm, &found);
     }

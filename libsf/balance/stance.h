@@ -12,9 +12,9 @@
 
 struct sf_stance {
     sf_allocator allocator;
-    sf_stance_options options;  // `up` of length 1, nothing 0 that stands for something else
-    double east[3], north[3];   // with up, right-handed and of length 1
-    double low[3], diagonal_mm; // the mesh's box
+    sf_stance_options options; // `up` of length 1, nothing 0 that stands for something else
+    double east[3], north[3];  // with up, right-handed and of length 1
+    double low[3], extent[3], diagonal_mm; // the mesh's box
     double ground_mm;
     int is_over_edge;    // whether the mesh goes on below the ground
     size_t vertex_count; // of the mesh
@@ -22,6 +22,8 @@ struct sf_stance {
     size_t contact_count;
     double *polygon; // three a corner
     size_t polygon_count, polygon_capacity;
+    double *corners; // rocking: of the hull, three numbers each
+    size_t corner_count;
     sf_halfspace *halfspaces;
     size_t halfspace_count, halfspace_capacity;
 };
@@ -41,8 +43,8 @@ sfi_edge sfi_edge_get(const sf_stance *stance, size_t index);
 int sfi_is_place(const double at[3]);
 int sfi_is_direction(const double v[3]);
 
-// Check a mesh, and find the lower corner and the diagonal of its box.
-sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double *diagonal, sf_fault *fault);
+// Check a mesh, and find the lower corner and the extent of its box.
+sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double extent[3], sf_fault *fault);
 
 // What a vertex is: used by no triangle, used but outside of a box, used and inside of it.
 enum { SFI_MARK_NONE = 0, SFI_MARK_OUTSIDE = 1, SFI_MARK_INSIDE = 2 };
@@ -59,10 +61,12 @@ sf_status sfi_stance_touch(sf_stance *stance, sf_mesh_view mesh, sf_fault *fault
 // The half-spaces of each kind, into an empty list. SF_ERR_MEMORY leaves it empty.
 sf_status sfi_stand_bound(sf_stance *stance);
 sf_status sfi_hang_bound(sf_stance *stance);
+sf_status sfi_rock_bound(sf_stance *stance, sf_mesh_view mesh, sf_fault *fault);
 
 // The margin, the edge, and whether it stands.
 void sfi_stand_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
 void sfi_hang_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
+sf_status sfi_rock_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
 
 // Room for so many half-spaces. SF_ERR_MEMORY.
 sf_status sfi_stance_reserve(sf_stance *stance, size_t count);
@@ -80,6 +84,9 @@ void sfi_frame_around(const double up[3], double east[3], double north[3]);
 
 // The angle between two directions, neither of them 0; in [0, pi].
 double sfi_tilt(const double a[3], const double b[3]);
+
+// Cosine of i thirty-seconds of a turn; of i - 8, the sine.
+double sfi_cosine(int i);
 
 // Length of a vector, and the vector brought to length 1; 0 stays 0.
 double sfi_length(const double a[3]);

@@ -69,20 +69,28 @@ typedef struct sf_stance sf_stance;
  * Hanging. The body swings freely about the point and comes to rest with its centre of mass
  * straight below.
  *
+ * Rocking. The body stands on its convex hull (that of the vertices within the region), in the pose
+ * in which `up` points up; let go from a tilt of up to range_rad in any direction, it must come
+ * back to within tolerance_rad. How it rolls is said at sf_mesh_rest(). The pose asked for need not
+ * be a face of the hull.
+ *
  * The mesh is not kept. Only vertices that triangles use count. It need not be closed.
  *
  * @param mesh       vertices in mm, with triangles; coordinates up to 1e12
  * @param options    what is asked for
- * @param allocator  for the stance and for scratch, 30 bytes a vertex; NULL for the C library's
+ * @param allocator  for the stance and for scratch, 30 bytes a vertex, or 500 where it rocks; NULL
+ *                   for the C library's
  * @param stance     receives the stance
  * @param fault      NULL, or receives a sentence on failure
  * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, options out of
- * range or without their struct_size, a mesh without triangles, no vertex within the region;
- * SF_ERR_OVERFLOW: a coordinate beyond 1e12; SF_ERR_UNSUPPORTED: a rocking stance; SF_ERR_MEMORY.
- * @cost two passes over the mesh; n log n in the vertices that touch the ground.
+ * range or without their struct_size, a mesh without triangles, no vertex within the region, a
+ * rocking body whose vertices all lie on a line; SF_ERR_OVERFLOW: a coordinate beyond 1e12, more
+ * than 2^30 vertices of a body that rocks; SF_ERR_MEMORY.
+ * @cost two passes over the mesh; n log n in the vertices that touch the ground; rocking, that of a
+ * hull, and the square of the faces and edges within the range, in stretches of 256.
  * @threads any; one at a time for each allocator.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
- * for 3D Fabrication", 2013, section 3 and figure 2.
+ * for 3D Fabrication", 2013, section 3, figure 2 and the rocking toy of table 1.
  * @since 0.2
  */
 SF_API SF_CHECKED sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_options *options,
@@ -185,6 +193,13 @@ SF_API SF_CHECKED sf_status sf_stance_flatten(const sf_stance *stance, double *v
  * (they touch it along the pyramid's edges, and come within 2 % of it between them), and one that
  * asks for the lever.
  *
+ * Rocking, as many as it takes (some twenty) so that from every tilt between the tolerance and the
+ * range the body rolls straight towards the pose, on a floor that may lean by a tenth of the
+ * tolerance. That is sufficient, not necessary: a body may also come back on a detour. Half-spaces
+ * that others imply for all that lies in or near the mesh's box are left out. A centre of mass
+ * straight above what touches the ground in the pose, and low enough, is always in all of them, but
+ * for the height of the facets within the tolerance.
+ *
  * @param stance      the stance
  * @param halfspaces  receives them, their normals with length 1; may be NULL where capacity is 0
  * @param capacity    half-spaces that it has room for
@@ -203,13 +218,16 @@ SF_API SF_CHECKED sf_status sf_stance_halfspaces(const sf_stance *stance, sf_hal
 typedef struct sf_stance_verdict {
     double margin_rad;    /**< standing: the least tilt of the ground, over all directions, that
                                makes it fall, negative where it falls as it is; hanging: minus the
-                               angle between the pose asked for and the one it comes to rest in */
+                               angle between the pose asked for and the one it comes to rest in;
+                               rocking: the same, the worst of those it comes to from the pose and
+                               from sixteen directions at the end of the range */
     double slack_mm;      /**< how far inside of the nearest half-space's plane the centre of mass
                                lies; negative outside */
     double edge_mm[2][3]; /**< standing: the edge over which it falls first, two corners; twice the
-                               same point where the polygon is one, or where the body hangs */
-    int stands;           /**< standing: margin_rad >= 0; hanging: it comes to rest within the
-                               tolerance, with the centre of mass not in the point itself */
+                               same point where the polygon is one, or where the body hangs;
+                               rocking: an edge of what it comes to rest on */
+    int stands;           /**< standing: margin_rad >= 0; hanging, rocking: it comes to rest within
+                               the tolerance, hanging with the centre of mass not in the point */
     int safe;             /**< it is in all half-spaces, to a billionth of the diagonal */
 } sf_stance_verdict;
 
@@ -222,8 +240,11 @@ typedef struct sf_stance_verdict {
  * @param stance   the stance
  * @param com_mm   the centre of mass
  * @param verdict  receives the verdict
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a centre of mass that is no place within 1e12 mm.
- * @cost linear in the half-spaces.   @threads any.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a centre of mass that is no place within 1e12 mm;
+ * SF_ERR_MEMORY: only of a body that rocks.
+ * @cost linear in the half-spaces; rocking, seventeen times that of sf_mesh_rest() without its
+ * hull.
+ * @threads any; one at a time for each allocator where the body rocks.
  * @since 0.2
  */
 SF_API SF_CHECKED sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
@@ -261,7 +282,7 @@ typedef struct sf_rest {
  * @param com_mm     its centre of mass, in its convex hull (to a millionth of the diagonal)
  * @param ups        of each start, the direction of the mesh that points up, of any length but 0
  * @param count      how many starts
- * @param allocator  for scratch, 200 bytes a vertex at worst; NULL for the C library's
+ * @param allocator  for scratch, 500 bytes a vertex at worst; NULL for the C library's
  * @param rests      receives one for each start
  * @param fault      NULL, or receives a sentence on failure
  * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a mesh without
