@@ -58,6 +58,12 @@ static inline sfi_exact sfi_exact_of(int64_t a)
     return value;
 }
 
+// The nearest double, or one beside it, of what is not negative.
+static inline double sfi_exact_double(sfi_exact a)
+{
+    return (double)a.high * 18446744073709551616.0 + (double)a.low;
+}
+
 // -1, 0 or 1.
 static inline int sfi_exact_sign(sfi_exact a)
 {

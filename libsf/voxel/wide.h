@@ -25,7 +25,8 @@ static inline sf_wide sfi_wide_product(uint64_t a, uint64_t b)
 
 static inline double sfi_wide_double(sf_wide sum)
 {
-    return (double)sum.high * 18446744073709551616.0 + (double)sum.low;
+    sfi_exact exact = {sum.low, sum.high};
+    return sfi_exact_double(exact);
 }
 
 #endif

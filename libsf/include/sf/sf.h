@@ -16,6 +16,7 @@
 #include <sf/mesh.h>
 #include <sf/orient.h>
 #include <sf/preserve.h>
+#include <sf/printing.h>
 #include <sf/repair.h>
 #include <sf/stance.h>
 #include <sf/support.h>
