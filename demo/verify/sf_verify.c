@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sf-verify STACK_DIR CERTIFICATE: is a stack what its certificate says? Without code of libsf.
-// Exit 0: verified, 1: not, 3: unreadable. It makes the certificate that it would have written, and
-// both must be equal; what no stack can tell it takes on trust. Formulas: docs/certificate.md.
+// Exit 0: verified, 1: not, 2: usage, 3: unreadable. It makes the certificate that it would write,
+// and both must be equal; what no stack can tell it takes on trust. Formulas: docs/certificate.md.
 #include <jansson.h>
 #include <math.h>
 #include <spng.h>
@@ -22,7 +22,7 @@ static short *codes, none;
 static double (*step)[6], pitch[4], mm; // in q24: reach from layer 0 and of a step; what is listed
 static json_t *stack, *heights, *given, *mine, *layers; // two certificates; what one lists
 static char kind, found[256];                           // a letter of words; what is to be said
-static const char *sha256(const unsigned char *bytes, size_t size) { // FIPS 180-4
+static char *sha256(const unsigned char *bytes, size_t size) { // FIPS 180-4
     static char hex[65];
     uint32_t k[64], h[8], w[64] = {0}, v[8];
     for (int n = 2, i = 0, d = 2; i < 64; i += d == n++, d = 2) { // fractions of primes' roots
@@ -42,8 +42,7 @@ static const char *sha256(const unsigned char *bytes, size_t size) { // FIPS 180
             p = TURN(e, 6) ^ TURN(e, 11) ^ TURN(e, 25), q = TURN(a, 2) ^ TURN(a, 13) ^ TURN(a, 22);
             p += v[7] + ((e & v[5]) ^ (~e & v[6])) + k[i] + w[i];
             q += (a & v[1]) ^ (a & v[2]) ^ (v[1] & v[2]);
-            memmove(v + 1, v, 7 * sizeof *v);
-            v[4] += p, v[0] = p + q;
+            memmove(v + 1, v, 7 * sizeof *v), v[4] += p, v[0] = p + q;
         }
         for (int i = 0; i < 8; i++) snprintf(hex + 8 * i, 9, "%08x", (unsigned)(h[i] += v[i]));
     }
@@ -154,7 +153,7 @@ static int judge(json_t *exempt, json_t *bridges) { // finds the codes of all vo
     return next[0] == json_array_size(exempt) && next[1] == json_array_size(bridges);
 }
 static int verify(const char *text, size_t size) {
-    char tail[99], *name, *act, *from;
+    char tail[99], *name, *act, *from, *to;
     double angle = 0, tangent = 0, span = 0, anchor = 0;
     json_int_t more, less, was, is = 0, rule = 3, o = 8;
     json_t *free, *gaps, *rests, *c = given = json_loadb(text, size, JSON_REJECT_DUPLICATES, NULL);
@@ -175,8 +174,7 @@ static int verify(const char *text, size_t size) {
     NOT(rule < 0 || top > 255 || (rule && fabs(tan(angle) / tangent - 1) > 1e-15), "no such rule");
     for (long v = bed = nz * area; v-- > 0; is += codes[v] != 0) bed = codes[v] ? v : bed;
     bed = json_is_null(rests) ? bed / area : json_integer_value(rests);
-    if (!judge(free, gaps)) return 0;
-    const char *to = sha256(bits, layer * nz);
+    if (!judge(free, gaps) || !(to = sha256(bits, layer * nz))) return 0;
     NOT(o < 4 || (more && o < 7) || (less && (o == 4 || o == 7)) || was + more - less != is ||
             strspn(from, "0123456789abcdef") != 64 || (more || less) == !strcmp(from, to),
         "its input is none");
@@ -190,10 +188,12 @@ static int verify(const char *text, size_t size) {
     return sprintf(found, "%d layers of %d x %d voxels, rule %s", nz, nx, ny, name);
 }
 int main(int argc, char **argv) {
-    static char text[1 << 28];
-    FILE *file = argc == 3 && load(argv[1]) ? fopen(argv[2], "rb") : NULL;
+    static char text[(1 << 28) + 1];
+    if (argc != 3) return fputs("usage: sf-verify LAYERS CERTIFICATE\n", stderr), 2;
+    FILE *file = load(argv[1]) ? fopen(argv[2], "rb") : NULL;
     size_t size = file ? fread(text, 1, sizeof text, file) : 0;
-    if (size == 0) return fputs("cannot be read; usage: sf-verify LAYERS CERTIFICATE\n", stderr), 3;
+    const char *why = size ? "the certificate is larger than 256 MiB" : "cannot be read";
+    if (size % sizeof text == 0) return fprintf(stderr, "%s\n", why), 3;
     int good = verify(text, size);
     json_decref(given), json_decref(mine), json_decref(layers), json_decref(stack);
     return printf("%s: %s\n", good ? "verified" : "not verified", found), !good;

@@ -42,6 +42,16 @@ verified 1 layers changed.json
 verified 3 layers empty.json
 verified 3 layers missing.json
 verified 3 missing proof.json
+verified 2 layers ""
+verified 2 "" ""
+verified 2 layers "proof.json again"
+# One byte more than it reads: a hole at its end takes no room.
+cp proof.json large.json
+dd if=/dev/zero of=large.json bs=1 count=1 seek=268435456 conv=notrunc 2>/dev/null
+verified 3 layers large.json
+grep -q 'larger than 256 MiB' stderr && [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ]
+ok $? "and says why: $(cat stderr)"
+rm large.json
 exits 0 trim layers --angle 50 -o again --certificate again.json
 verified 0 again again.json
 exits 0 trim scene:garden --resolution 24 -o part.stl --certificate part.json
