@@ -53,14 +53,30 @@ static void print_failure_json(const cli_job *job, exit_status status)
     report_destroy(r);
 }
 
+static void print_failure(const cli_job *job, exit_status status)
+{
+    fprintf(stderr, "sf: %s\n", job->message);
+    if (job->options.json) {
+        print_failure_json(job, status);
+    }
+}
+
+// Whether JSON is asked for on a command line that makes no sense.
+static int asks_for_json(int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strcmp(argv[i], "--json") == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static exit_status print_outcome(cli_job *job, exit_status status)
 {
     sf_status printed = SF_OK;
     if (job->message[0] != '\0') {
-        fprintf(stderr, "sf: %s\n", job->message);
-        if (job->options.json) {
-            print_failure_json(job, status);
-        }
+        print_failure(job, status);
     } else {
         if (!job->options.json) {
             printed = report_print_warnings(job->report, sink_of(stderr));
@@ -80,18 +96,17 @@ static exit_status print_outcome(cli_job *job, exit_status status)
 static exit_status run_verb(int index, int argc, char **argv)
 {
     cli_job job;
-    char message[512];
     memset(&job, 0, sizeof job);
     clock_gettime(CLOCK_MONOTONIC, &job.start);
-    int parsed =
-        options_parse(&verbs_table[index].verb, argc, argv, &job.options, message, sizeof message);
+    int parsed = options_parse(&verbs_table[index].verb, argc, argv, &job.options, job.message,
+                               sizeof job.message);
     if (parsed > 0) {
         options_help(&verbs_table[index].verb, stdout);
         return EXIT_GOOD;
     }
     if (parsed < 0) {
-        fprintf(stderr, "sf: %s\n", message);
-        return EXIT_USAGE;
+        job.options.json = asks_for_json(argc, argv);
+        return print_outcome(&job, EXIT_USAGE);
     }
     job.report = report_create();
     if (job.report == NULL) {
@@ -104,6 +119,18 @@ static exit_status run_verb(int index, int argc, char **argv)
     progress_end();
     status = print_outcome(&job, status);
     report_destroy(job.report);
+    return status;
+}
+
+static exit_status refuse_verb(const char *name, int json)
+{
+    cli_job job;
+    memset(&job, 0, sizeof job);
+    job.options.json = json;
+    exit_status status = job_fail(&job, EXIT_USAGE, "there is no verb '%.200s'", name);
+    status = print_outcome(&job, status);
+    fputs("\n", stderr);
+    help(stderr);
     return status;
 }
 
@@ -129,7 +156,5 @@ int main(int argc, char **argv)
             return (int)run_verb(i, argc - 1, argv + 1);
         }
     }
-    fprintf(stderr, "sf: there is no verb '%s'\n\n", name);
-    help(stderr);
-    return EXIT_USAGE;
+    return (int)refuse_verb(name, asks_for_json(argc, argv));
 }

@@ -33,6 +33,14 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
 done
 exits 2
 exits 2 frobnicate
+if [ -n "$JSON_GET" ]; then
+    for arguments in "check --json" "check x --nonsense --json" "check --json x --angle 90" "frobnicate --json" \
+        "check --json scene:garden --bed 1000" "preserve x --json" "run x -o y.png --json"; do
+        # shellcheck disable=SC2086
+        exits 2 $arguments
+        same "$(value error.exit) sf: $(value error.message)" "2 $(head -1 stderr)" "and so does a JSON object"
+    done
+fi
 exits 0 --help
 exits 0 --version
 for verb in run info check trim grow repair preserve slice orient render; do
