@@ -213,7 +213,9 @@ void options_help(const cli_verb *verb, FILE *to)
                 "sf wrote,\nor scene:garden, a scene that the program makes itself.\n",
           to);
     if (verb->takes & OPTION_BRIDGE) {
-        fputs("A stack brings its own rule, bridges and bed; options take their places.\n", to);
+        fputs("A stack brings its own rule, angle, bridges and bed; an option takes the place of "
+              "one.\n",
+              to);
     }
     fputs("\nexit status: 0 good, 1 the asked property was not reached, 2 usage, 3 bad input,"
           "\n4 out of memory or disk, 130 cancelled\n",

@@ -99,25 +99,32 @@ static exit_status read_mesh(cli_job *job, part *p)
     return status == EXIT_GOOD ? place(job, p) : status;
 }
 
-// A stack carries the rule, the bridges and the bed that it was made for. Options take their
-// places:
-// --rule and --angle that of the rule, --bridge that of the bridges. Bridges say what a printer can
-// do at any angle, so they stay under another rule; but not without a word.
+// A stack carries the rule, its angle, the bridges and the bed that it was made for, and an option
+// takes the place of one: --angle turns the stack's rule to another angle, --rule asks for another
+// rule at the same angle. Bridges say what a printer can do at any angle, so they stay under
+// another rule; but not without a word.
 static void take_rule(cli_job *job, part *p, const sf_stack_info *info)
 {
     cli_options *asked = &job->options;
+    int is_rule_asked = (asked->given & OPTION_RULE) != 0;
+    int is_angle_asked = (asked->given & OPTION_ANGLE) != 0;
+    int has_angle = info->rule != SF_RULE_BOX3;
     p->bed_layer = info->bed_layer;
-    p->own_rule = (asked->given & (OPTION_RULE | OPTION_ANGLE)) == 0;
+    p->own_rule = !is_rule_asked && (has_angle || !is_angle_asked);
     p->own_bridges = (asked->given & OPTION_BRIDGE) == 0;
     if (p->own_rule) {
         asked->rule = info->rule;
+    } else if (!is_rule_asked) {
+        job_warn(job, "The stack's rule, box3, takes no angle; --angle asks for another rule.");
+    }
+    if (has_angle && !is_angle_asked) {
         asked->angle_rad = info->angle_rad;
     }
     if (p->own_bridges) {
         asked->bridge_mm[0] = info->bridge_span_mm;
         asked->bridge_mm[1] = info->bridge_anchor_mm;
     }
-    if (!p->own_rule && p->own_bridges && info->bridge_span_mm > 0) {
+    if ((is_rule_asked || is_angle_asked) && p->own_bridges && info->bridge_span_mm > 0) {
         job_warn(job,
                  "The stack's bridges of up to %g mm stay beside the rule that was asked for; "
                  "--bridge 0 leaves them out.",
@@ -307,7 +314,8 @@ exit_status part_make_rule(cli_job *job, part *p)
     sf_status status = sf_rule_make(job->options.rule, job->options.angle_rad, &lattice, p->table,
                                     &p->rule, &fault);
     if (status != SF_OK) {
-        return refuse_rule(job, status, &fault, p->own_rule, sf_rule_kind_name(job->options.rule),
+        int is_own = p->own_rule && (job->options.given & OPTION_ANGLE) == 0;
+        return refuse_rule(job, status, &fault, is_own, sf_rule_kind_name(job->options.rule),
                            "rule");
     }
     status = sf_rule_set_bridges(&p->rule, job->options.bridge_mm[0], job->options.bridge_mm[1],

@@ -1,6 +1,6 @@
 # Why: a stack that is read and written again is the same bytes, its angle too: radians are what is
 # kept, and degrees, for people, are made from them and never turned back.
-# Its rule, bridges and bed come with it, until an option takes the place of one; and where they
+# Its rule, angle, bridges and bed come with it, until an option takes the place of one; and where they
 # cannot be, the stack is at fault, and named.
 . "$1"
 needs_json
@@ -34,6 +34,25 @@ for option in "--rule slack" "--angle 50"; do
     ! grep -q 'bridges' stderr && ! grep -q 'bridges' stdout
     ok $? "but for --bridge 0"
 done
+# An option takes the place of what it names, and of nothing else.
+for kind in octagon slack disk; do
+    run slice scene:garden --resolution 32 --rule $kind --angle 50 -o own
+    for options in "" "--angle 60" "--rule slack" "--rule disk --angle 60"; do
+        rule=$kind angle=50
+        case $options in *slack*) rule=slack ;; *disk*) rule=disk ;; esac
+        case $options in *60*) angle=60 ;; esac
+        # shellcheck disable=SC2086
+        run check own $options --json
+        same "$exit $(value rule.kind) $(value rule.angle_deg)" "1 $rule $angle" "a stack made by $kind at 50, checked with '$options'"
+        same "$(value warnings)" 0 "without a warning"
+    done
+done
+run slice scene:garden --resolution 32 --rule box3 -o own
+run check own --angle 60 --json
+same "$(value rule.kind) $(value rule.angle_deg) $(value warnings)" "octagon 60 1" "box3 takes no angle, which is said"
+exits 0 trim own --json
+same "$(value rule.kind) $(value rule.angle_deg)" "box3 null" "and without one it stays"
+
 exits 0 slice scene:garden --resolution 32 --bridge 9 --bed -9 -o told
 same "$(value rule.bridge_mm.0 told/stack.json) $(value rule.bed_layer told/stack.json)" "9 0" \
     "bridges and bed alone are kept too"
