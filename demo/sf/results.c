@@ -115,6 +115,22 @@ exit_status results_path(cli_job *job, const results *r, const char *name,
     return join(job, r->aside, name, path);
 }
 
+void results_name_target(cli_job *job, const results *r)
+{
+    char told[sizeof job->message];
+    size_t aside = strlen(r->aside), used = 0;
+    for (const char *at = job->message; *at != '\0' && used + 1 < sizeof told;) {
+        int is_aside = aside > 0 && strncmp(at, r->aside, aside) == 0;
+        size_t length = is_aside ? strlen(r->folder) : 1, room = sizeof told - 1 - used;
+        length = length < room ? length : room;
+        memcpy(told + used, is_aside ? r->folder : at, length);
+        used += length;
+        at += is_aside ? aside : 1;
+    }
+    told[used] = '\0';
+    memcpy(job->message, told, used + 1);
+}
+
 static int move_file(const char *from, const char *to)
 {
 #ifdef _WIN32

@@ -21,6 +21,9 @@ exit_status results_begin(cli_job *job, const char *folder, results *r);
 exit_status results_path(cli_job *job, const results *r, const char *name,
                          char path[RESULTS_PATH_SIZE]);
 
+// Nobody has heard of the folder aside: where the job's message names it, name the results' own.
+void results_name_target(cli_job *job, const results *r);
+
 // Put all that was made in its place. Older results are replaced, other files stay. On failure the
 // message says what was replaced already.
 exit_status results_publish(cli_job *job, results *r);

@@ -145,6 +145,9 @@ static exit_status save_all(cli_job *job, const part *p, const versions *v)
     if (status == EXIT_GOOD) {
         status = results_publish(job, &to);
     }
+    if (status != EXIT_GOOD) {
+        results_name_target(job, &to);
+    }
     results_drop(&to);
     return status;
 }

@@ -94,6 +94,8 @@ if [ -z "$wrapper" ]; then
         exit=0
         (trap '' XFSZ; ulimit -f 8; exec "$SF" run scene:garden --resolution 64 -o $to) >stdout 2>stderr || exit=$?
         same $exit 4 "a run to $to on a full disk"
+        grep -q "^sf: $to/" stderr && ! grep -q 'sf-\|tmp' stderr
+        ok $? "names what was to be written: $(cat stderr)"
         prints out >after
         cmp -s before after && [ -z "$(ls -A | grep fresh)" ] && [ -z "$(ls -A out | grep 'sf-')" ]
         ok $? "leaves all as it was"
