@@ -4,6 +4,9 @@
 // It speaks of the grid, not of a mesh: a mesh that is written from it, smoothed or not, becomes
 // other voxels in somebody else's hands. So the report says which files belong together only where
 // a stack was written.
+//
+// It is written before the result and gets its name after it: a disk that has no room for both has
+// neither.
 
 #include "certify.h"
 
@@ -25,27 +28,17 @@ static sf_status make(cli_job *job, const part *p, const change *done, sf_certif
     return sf_certificate_make(done->after, &claim, NULL, &job->task, certificate, fault);
 }
 
-static sf_status save(const sf_certificate *certificate, const char *path, sf_fault *fault)
+static exit_status fail(cli_job *job, sf_status status, const sf_fault *fault)
 {
-    sf_save *file = NULL;
-    sf_status status = sf_save_begin(path, NULL, &file, fault);
-    if (status != SF_OK) {
-        return status;
-    }
-    status = sf_certificate_write(certificate, sf_save_sink(file));
-    if (status == SF_OK) {
-        return sf_save_commit(file, fault);
-    }
-    sf_save_abort(file);
-    return status;
+    return job_fail_call(job, status, fault, job->options.certificate, EXIT_RESOURCE);
 }
 
-exit_status certify(cli_job *job, const part *p, const change *done)
+exit_status certify_begin(cli_job *job, const part *p, const change *done, sf_save **file)
 {
-    const char *path = job->options.certificate, *output = job->options.output;
     sf_certificate *certificate = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
-    if (path == NULL) {
+    *file = NULL;
+    if (job->options.certificate == NULL) {
         return EXIT_GOOD;
     }
     progress_phase("certifying");
@@ -53,10 +46,29 @@ exit_status certify(cli_job *job, const part *p, const change *done)
     if (status != SF_OK) {
         return job_fail_call(job, status, &fault, "the certificate", EXIT_PROPERTY);
     }
-    status = save(certificate, path, &fault);
+    status = sf_save_begin(job->options.certificate, NULL, file, &fault);
+    if (status == SF_OK) {
+        status = sf_certificate_write(certificate, sf_save_sink(*file));
+    }
     sf_certificate_destroy(certificate);
     if (status != SF_OK) {
-        return job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+        sf_save_abort(*file);
+        *file = NULL;
+        return fail(job, status, &fault);
+    }
+    return EXIT_GOOD;
+}
+
+exit_status certify_commit(cli_job *job, sf_save *file)
+{
+    const char *path = job->options.certificate, *output = job->options.output;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    if (path == NULL) {
+        return EXIT_GOOD;
+    }
+    sf_status status = sf_save_commit(file, &fault);
+    if (status != SF_OK) {
+        return fail(job, status, &fault);
     }
     report_text(job->report, "certificate", path);
     if (output != NULL && output_kind_of(output) == OUTPUT_STACK) {

@@ -213,6 +213,11 @@ exit_status change_make(cli_job *job, const part *p, const masks *m, sf_operatio
     return status;
 }
 
+int change_is_empty(const change *made)
+{
+    return made->removed_voxels > 0 && made->kept_voxels + made->added_voxels == 0;
+}
+
 void change_release(change *made)
 {
     sf_grid_destroy(made->after);
@@ -256,8 +261,7 @@ static void say_preserved(report *r, const change *made, const char *taken)
         report_say(r, "Removing took %s away, and nothing outside of --remove.", taken);
     }
     if (made->support_free) {
-        report_say(r, made->after_mm3 > 0 ? "What is left prints without supports."
-                                          : "Nothing is left.");
+        report_say(r, "What is left prints without supports.");
         return;
     }
     char hung[DESCRIBE_MM3_SIZE], more[DESCRIBE_MM3_SIZE], resting[96] = "";
@@ -284,8 +288,6 @@ void change_say(report *r, const change *made)
         say_preserved(r, made, taken);
     } else if (made->removed_voxels + made->added_voxels == 0) {
         report_say(r, "It prints without supports as it is; nothing was changed.");
-    } else if (!(made->after_mm3 > 0)) {
-        report_say(r, "Nothing is left: all of it hangs in the air.");
     } else if (made->operation == SF_OPERATION_TRIM) {
         report_say(r, "Trimming took %s away (%.3g %%) and left %s, which print without supports.",
                    taken, share * made->removed_mm3, left);

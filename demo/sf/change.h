@@ -27,6 +27,9 @@ typedef struct change {
 exit_status change_make(cli_job *job, const part *p, const masks *m, sf_operation operation,
                         change *made);
 
+// Whether it took away all there was.
+int change_is_empty(const change *made);
+
 // Fields of a change: an object of that name, or the verb's own fields where `key` is NULL.
 void change_report(report *r, const char *key, const change *made);
 

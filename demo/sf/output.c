@@ -36,6 +36,21 @@ output_kind output_kind_of(const char *path)
     return dot[0] == '\0' ? OUTPUT_STACK : OUTPUT_UNKNOWN;
 }
 
+exit_status output_probe(cli_job *job, const char *path, output_kind kind)
+{
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_directory *directory = NULL;
+    sf_save *file = NULL;
+    if (path == NULL) {
+        return EXIT_GOOD;
+    }
+    sf_status status = kind == OUTPUT_STACK ? sf_directory_write(path, NULL, &directory, &fault)
+                                            : sf_save_begin(path, NULL, &file, &fault);
+    sf_directory_close(directory);
+    sf_save_abort(file);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
 exit_status output_check(cli_job *job, int mesh_allowed)
 {
     const char *path = job->options.output;
@@ -44,7 +59,7 @@ exit_status output_check(cli_job *job, int mesh_allowed)
     }
     output_kind kind = output_kind_of(path);
     if (kind == OUTPUT_STACK || (kind == OUTPUT_MESH && mesh_allowed)) {
-        return EXIT_GOOD;
+        return output_probe(job, path, kind);
     }
     return job_fail(job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
                     mesh_allowed

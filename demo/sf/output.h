@@ -15,8 +15,12 @@ typedef enum output_kind { OUTPUT_MESH, OUTPUT_STACK, OUTPUT_PICTURE, OUTPUT_UNK
 // extension.
 output_kind output_kind_of(const char *path);
 
-// Refuse, before any work is done, an -o that a verb cannot write.
+// Refuse, before any work is done, an -o that a verb cannot write, or nobody.
 exit_status output_check(cli_job *job, int mesh_allowed);
+
+// Whether a file of that name, or for OUTPUT_STACK a folder, could be written now; nothing stays of
+// the attempt. NULL can.
+exit_status output_probe(cli_job *job, const char *path, output_kind kind);
 
 // Write a mesh as it is.
 exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path);

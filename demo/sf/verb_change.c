@@ -11,13 +11,16 @@
 static exit_status save(cli_job *job, const part *p, const change *done)
 {
     const char *path = job->options.output;
-    exit_status status = EXIT_GOOD;
-    if (path != NULL) {
+    sf_save *certificate;
+    exit_status status = certify_begin(job, p, done, &certificate);
+    if (status == EXIT_GOOD && path != NULL) {
         status = output_save(job, p, done->after, path);
     }
-    if (status == EXIT_GOOD) {
-        status = certify(job, p, done);
+    if (status != EXIT_GOOD) {
+        sf_save_abort(certificate);
+        return status;
     }
+    status = certify_commit(job, certificate);
     if (status != EXIT_GOOD) {
         return status;
     }
@@ -38,6 +41,11 @@ static exit_status change_part(cli_job *job, const part *p, sf_operation operati
     exit_status status = masks_read(job, p, &m);
     if (status == EXIT_GOOD) {
         status = change_make(job, p, &m, operation, &done);
+        if (status == EXIT_GOOD && change_is_empty(&done)) {
+            status = job_fail(job, EXIT_PROPERTY, "Nothing is left: %s. Nothing was written.",
+                              operation == SF_OPERATION_PRESERVE ? "--remove takes all of it"
+                                                                 : "all of it hangs in the air");
+        }
         if (status == EXIT_GOOD) {
             change_report(job->report, NULL, &done);
             change_say(job->report, &done);
@@ -69,6 +77,9 @@ static exit_status run(cli_job *job, sf_operation operation)
 {
     part p;
     exit_status status = output_check(job, 1);
+    if (status == EXIT_GOOD) {
+        status = output_probe(job, job->options.certificate, OUTPUT_MESH);
+    }
     if (status == EXIT_GOOD) {
         status = work(job, &p, operation);
         part_release(&p);

@@ -213,7 +213,11 @@ exit_status verb_orient(cli_job *job)
         return job_fail(job, EXIT_USAGE, "-o %s: this verb writes a mesh (.stl, .obj, .ply).",
                         job->options.output);
     }
-    exit_status status = part_read(job, &p);
+    exit_status status = output_probe(job, job->options.output, OUTPUT_MESH);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    status = part_read(job, &p);
     if (status == EXIT_GOOD) {
         status = orient(job, &p);
     }

@@ -66,7 +66,11 @@ exit_status verb_render(cli_job *job)
     if (!sf_stack_has_png()) {
         return job_fail(job, EXIT_USAGE, "This build draws no pictures: it was made without PNG.");
     }
-    exit_status status = part_read(job, &p);
+    exit_status status = output_probe(job, job->options.output, OUTPUT_PICTURE);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    status = part_read(job, &p);
     if (status == EXIT_GOOD) {
         status = render(job, &p);
     }

@@ -26,7 +26,10 @@ static exit_status check_folder(cli_job *job, const char *folder)
         return job_fail(job, EXIT_RESOURCE, "-o %s: there is a file of that name; name a folder.",
                         folder);
     }
-    return EXIT_GOOD;
+    results nothing;
+    exit_status status = results_begin(job, folder, &nothing);
+    results_drop(&nothing);
+    return status;
 }
 
 // The picture before shows what a trim would take away.

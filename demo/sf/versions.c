@@ -3,7 +3,8 @@
 //
 // Trimming loses whatever hangs, growing builds below all of it, and repair weighs the two. Which
 // is right nobody but the owner of the part knows, so that all three are made and shown; the one
-// that is offered as printable is the repair, which changes least.
+// that is offered as printable is the repair, which changes least. A version without matter is
+// none.
 
 #include "versions.h"
 
@@ -38,6 +39,21 @@ static void report_refusal(cli_job *job, int which)
     job->fault.status = SF_OK;
 }
 
+// The repair changes least; but where it takes all of the part away, that is not what one wants.
+static exit_status choose(cli_job *job, versions *v)
+{
+    static const int order[] = {VERSION_REPAIR, VERSION_GROW, VERSION_TRIM};
+    for (int i = 0; i < VERSION_COUNT; i++) {
+        if (v->there[order[i]]) {
+            v->printable = order[i];
+            return EXIT_GOOD;
+        }
+    }
+    return job_fail(job, EXIT_PROPERTY,
+                    "Nothing is left: all of it hangs in the air, and nothing can be grown below "
+                    "it. Nothing was written.");
+}
+
 exit_status versions_make(cli_job *job, const part *p, versions *v)
 {
     const masks none = {NULL, NULL, NULL};
@@ -50,8 +66,8 @@ exit_status versions_make(cli_job *job, const part *p, versions *v)
     for (int i = 0; i < count; i++) {
         exit_status status = change_make(job, p, &none, kinds[i].operation, &v->made[i]);
         if (status == EXIT_GOOD) {
-            v->there[i] = 1;
-            v->printable = i == VERSION_REPAIR ? i : v->printable;
+            v->is_empty[i] = change_is_empty(&v->made[i]);
+            v->there[i] = !v->is_empty[i];
             change_report(job->report, kinds[i].name, &v->made[i]);
         } else if (status == EXIT_PROPERTY && job->culprits > 0) {
             report_refusal(job, i);
@@ -59,7 +75,7 @@ exit_status versions_make(cli_job *job, const part *p, versions *v)
             return status;
         }
     }
-    return EXIT_GOOD;
+    return choose(job, v);
 }
 
 const char *versions_file(const versions *v, int which)
@@ -95,7 +111,8 @@ void versions_say(report *r, const versions *v, const char *folder)
         const change *c = &v->made[i];
         char figures[VERSIONS_FIGURES_SIZE];
         if (!v->there[i]) {
-            report_say(r, "  %-8s not possible here", kinds[i].name);
+            report_say(r, "  %-8s %s", kinds[i].name,
+                       v->is_empty[i] ? "nothing would be left" : "not possible here");
             continue;
         }
         report_say(r, "  %-8s %s (%.3g %% changed): %s/%s", kinds[i].name,

@@ -10,12 +10,13 @@ enum { VERSION_TRIM, VERSION_GROW, VERSION_REPAIR, VERSION_COUNT };
 
 typedef struct versions {
     change made[VERSION_COUNT];
-    int there[VERSION_COUNT]; // whether it could be made
-    int printable;            // the one that is offered
+    int there[VERSION_COUNT];    // whether it could be made, and holds something
+    int is_empty[VERSION_COUNT]; // whether it took all of the part away
+    int printable;               // the one that is offered
 } versions;
 
-// Make them all. Where what the part needs cannot be grown, or --memory is too little for growing
-// and repairing, the other versions stand.
+// Make them all. Where what the part needs cannot be grown, --memory is too little for growing and
+// repairing, or nothing is left by a version, the others stand; EXIT_PROPERTY where none does.
 exit_status versions_make(cli_job *job, const part *p, versions *v);
 
 // The file that a version is written to, in the folder of results.

@@ -99,6 +99,8 @@ static const char *explain(int reason)
         return "the disk is read-only; choose another place";
     case ENOSPC:
         return "the disk is full; make room or choose another place";
+    case EFBIG:
+        return "a file may not be that large there; choose another place";
     case EISDIR:
         return "this is a folder; name a file";
     case ENOTDIR:

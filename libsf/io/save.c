@@ -51,6 +51,9 @@ static sf_status create(sf_save *save, sf_fault *fault)
         }
         why = sfi_disk_create(name, &save->stream);
         if (why == 0) {
+            // Writers hand on blocks, and are to hear of a full disk from the one that does not
+            // fit.
+            (void)setvbuf(save->stream, NULL, _IONBF, 0);
             save->temporary = name;
         } else {
             sfi_path_free(&save->allocator, name);

@@ -57,6 +57,9 @@ verified 0 again again.json
 exits 0 trim scene:garden --resolution 24 -o part.stl --certificate part.json
 exits 2 check scene:garden --certificate part.json
 exits 4 trim scene:garden --resolution 24 --certificate nowhere/part.json
+exits 4 trim scene:garden --resolution 24 -o uncertified --certificate nowhere/part.json
+[ ! -e uncertified ]
+ok $? "and no layers without the certificate that was asked for"
 [ ! -e nowhere ] && [ -z "$(ls | grep tmp)" ]
 ok $? "nothing half-written"
 finish

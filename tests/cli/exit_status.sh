@@ -90,6 +90,22 @@ grep -Eq '\b100 % of its matter cannot print' stdout
 ok $? "over a bed that is further down all of it hangs in the air"
 exits 4 run scene:garden -o folder/precious
 says_one_line
+# Nothing is not a result: it is said, and not written.
+box all.obj -1 -1 -1 200 200 200
+for arguments in "trim scene:garden --resolution 40 --bed -9" "preserve box.obj --resolution 16 --remove all.obj" \
+    "run scene:garden --resolution 64 --bed -9 --memory 0.15"; do
+    # shellcheck disable=SC2086
+    exits 1 $arguments -o nothing
+    grep -q '^sf: Nothing is left: ' stderr && [ ! -e nothing ]
+    ok $? "with a sentence, and no file: $(grep '^sf:' stderr)"
+done
+# What cannot be written is said before the part is looked at.
+for arguments in "trim -o nowhere/t.stl" "grow -o nowhere/layers" "slice -o nowhere/layers" "run -o nowhere/out" \
+    "orient -o nowhere/t.stl" ${draw:+"render -o nowhere/p.png"} "trim --certificate nowhere/proof.json"; do
+    # shellcheck disable=SC2086
+    exits 4 $arguments missing.stl
+    says_one_line
+done
 exits 3 check missing.stl
 same "$(grep -o missing.stl stderr | wc -l | tr -d ' ')" 1 "a path is said once"
 exits 1 check scene:garden --resolution 40

@@ -105,8 +105,10 @@ if [ -z "$wrapper" ]; then
         done
     done
     exit=0
-    (trap '' XFSZ; ulimit -f 8; exec "$SF" repair scene:garden --resolution 200 --certificate full.json) \
+    (trap '' XFSZ; ulimit -f 8; exec "$SF" repair scene:garden --resolution 200 -o full --certificate full.json) \
         >stdout 2>stderr || exit=$?
-    same "$exit $(ls -A | grep -c full)" "4 0" "a certificate on a full disk is none"
+    same "$exit $(ls -A | grep -c full)" "4 0" "a certificate on a full disk is none, nor are its layers"
+    grep -q '^sf: full.json: ' stderr && ! grep -q tmp stderr
+    ok $? "which is said: $(cat stderr)"
 fi
 finish

@@ -87,7 +87,8 @@ same "$(value support_free)" true "and then it prints"
 kept=$(value kept_voxels)
 cp stdout trimmed.json
 box box.obj 0 0 0 9 9 9
-for verb in run info check trim grow repair "preserve --remove box.obj" slice render; do
+box top.obj 0 0 5 9 9 9
+for verb in run info check trim grow repair "preserve --remove top.obj" slice render; do
     # shellcheck disable=SC2086
     run ${verb%% *} box.obj ${verb#"${verb%% *}"} $([ "$verb" = info ] || echo --resolution 16) --json
     [ $exit -eq 2 ] || value seconds >/dev/null

@@ -48,6 +48,11 @@ same "$exit $(ls little | grep -c grown.stl)" "0 0" "little memory is enough for
 grep -q 'Only trimmed' stderr && grep -q 'printable.stl is the trim' stdout
 ok $? "which is said too"
 
+run run --resolution 32 --pixels 160,120 --bed -9 -o bed
+same "$exit $(ls bed | grep -c trimmed.stl)" "0 0" "a version of which nothing is left is not written"
+grep -q 'trim .*nothing would be left' stdout && grep -q 'printable.stl is the repair' stdout
+ok $? "but said"
+
 run run --resolution 48 --pixels 160,120 --smooth 2 --min-feature 4 -o smooth
 same $exit 0 "run takes --smooth and --min-feature"
 [ -z "$JSON_GET" ] || value smoothed_repair.passes smooth/report.json >/dev/null
