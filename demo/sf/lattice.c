@@ -26,7 +26,7 @@ static void choose_pitch(const cli_options *asked, const double size_mm[3], doub
 }
 
 // Refuse a lattice whose grid would take more memory than --memory allows.
-static exit_status check_memory(cli_job *job, const sf_lattice *lattice)
+static exit_status check_memory(cli_job *job, const sf_lattice *lattice, double below)
 {
     double mib = 8.0 * (double)sf_slice_stride(lattice->nx) * lattice->ny * lattice->nz / 1048576;
     if (mib <= job->options.memory_mib) {
@@ -34,9 +34,10 @@ static exit_status check_memory(cli_job *job, const sf_lattice *lattice)
     }
     return job_fail(
         job, EXIT_RESOURCE,
-        "A grid of %u x %u x %u voxels takes %.0f MiB, and --memory allows %.0f; take a "
+        "A grid of %u x %u x %u voxels takes %.0f MiB, and --memory allows %.0f; take %sa "
         "coarser --pitch, a lower --resolution, or --memory %.0f.",
-        lattice->nx, lattice->ny, lattice->nz, ceil(mib), job->options.memory_mib, ceil(mib));
+        lattice->nx, lattice->ny, lattice->nz, ceil(mib), job->options.memory_mib,
+        2 * below > lattice->nz ? "a --bed nearer to the part, " : "", ceil(mib));
 }
 
 exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
@@ -54,10 +55,16 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
         below = ceil((low_mm[2] - job->options.bed_mm) / pitch_mm[2] - ROUNDING_VX);
         counts[2] += below;
     }
+    if (below > 0 && counts[2] > SF_LAYER_MAX && counts[2] - below <= SF_LAYER_MAX) {
+        return job_fail(job, EXIT_USAGE,
+                        "--bed %g lies %.4g mm below the part, which is %.4g layers; take a bed "
+                        "that is nearer.",
+                        job->options.bed_mm, low_mm[2] - job->options.bed_mm, below);
+    }
     if (!(pitch_mm[0] > 0) || counts[0] > SF_EXTENT_MAX || counts[1] > SF_EXTENT_MAX ||
         counts[2] > SF_LAYER_MAX) {
         return job_fail(job, EXIT_USAGE,
-                        "A lattice of %.0f x %.0f x %.0f voxels is too large (at most %u x %u in a "
+                        "A lattice of %.6g x %.6g x %.6g voxels is too large (at most %u x %u in a "
                         "layer); take a coarser --pitch or a lower --resolution.",
                         counts[0], counts[1], counts[2], SF_EXTENT_MAX, SF_EXTENT_MAX);
     }
@@ -78,5 +85,5 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
                         "check --pitch, --size, --scale and --units.",
                         pitch_mm[0], pitch_mm[1], pitch_mm[2], size_mm[0], size_mm[1], size_mm[2]);
     }
-    return check_memory(job, lattice);
+    return check_memory(job, lattice, below);
 }

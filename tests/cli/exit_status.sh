@@ -31,6 +31,9 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     exits 2 $arguments
     says_one_line
 done
+exits 2 check box.obj --bed -1e9
+grep -q '^sf: --bed -1e+09 lies 1e+09 mm below the part, ' stderr
+ok $? "a bed that is too far away is said to be: $(cat stderr)"
 exits 2
 exits 2 frobnicate
 if [ -n "$JSON_GET" ]; then
