@@ -11,10 +11,11 @@
 #include "progress.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { VOIDS_MAX = 65536, VOIDS_SAID = 4 };
+enum { VOIDS_MAX = 65536, VOIDS_SAID = 4, WORDS_SIZE = 96 };
 
 #define CUP_AREA_MM2 0.25
 #define CUP_HEIGHT_MM 0.5
@@ -87,14 +88,34 @@ static const sf_void *next_trap(const hollows *h, const sf_void *last)
     return best;
 }
 
+// "3 voids are shut, 12 mm3"
+static void name_traps(const hollows *h, double voxel_mm3, char *words, size_t size)
+{
+    char together[DESCRIBE_MM3_SIZE];
+    snprintf(words, size, "%llu void%s shut, %s", (unsigned long long)h->counts.trap_count,
+             h->counts.trap_count == 1 ? " is" : "s are",
+             describe_mm3((double)h->counts.trap_voxels * voxel_mm3, together));
+}
+
+// "it makes 3 suction cups, the widest of 12 mm2"
+static void name_cups(const hollows *h, const sf_lattice *lattice, char *words, size_t size)
+{
+    uint64_t widest = 0;
+    for (size_t i = 0; i < h->count; i++) {
+        const sf_void *v = &h->voids[i];
+        widest = v->kind == SF_VOID_CUP && v->area > widest ? v->area : widest;
+    }
+    snprintf(words, size, "it makes %llu suction cup%s, the widest of %.4g mm2",
+             (unsigned long long)h->counts.cup_count, h->counts.cup_count == 1 ? "" : "s",
+             (double)widest * lattice->pitch_x_mm * lattice->pitch_y_mm);
+}
+
 static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, double voxel_mm3)
 {
     const sf_void *v = next_trap(h, NULL);
-    char together[DESCRIBE_MM3_SIZE];
-    report_say(r, "%llu void%s shut, %s: what is in %s cannot leave.",
-               (unsigned long long)h->counts.trap_count,
-               h->counts.trap_count == 1 ? " is" : "s are",
-               describe_mm3((double)h->counts.trap_voxels * voxel_mm3, together),
+    char traps[WORDS_SIZE];
+    name_traps(h, voxel_mm3, traps, sizeof traps);
+    report_say(r, "%s: what is in %s cannot leave.", traps,
                h->counts.trap_count == 1 ? "it" : "them");
     for (int i = 0; i < VOIDS_SAID && v != NULL; i++, v = next_trap(h, v)) {
         char where[PLACE_WORDS_SIZE], volume[DESCRIBE_MM3_SIZE];
@@ -105,25 +126,31 @@ static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, do
     }
 }
 
-static void say_cups(report *r, const sf_lattice *lattice, const hollows *h)
+void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
 {
-    uint64_t widest = 0;
-    for (size_t i = 0; i < h->count; i++) {
-        const sf_void *v = &h->voids[i];
-        widest = v->kind == SF_VOID_CUP && v->area > widest ? v->area : widest;
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    double voxel_mm3 = place_voxel_mm3(p->grid);
+    char traps[WORDS_SIZE], cups[WORDS_SIZE];
+    name_traps(h, voxel_mm3, traps, sizeof traps);
+    name_cups(h, &lattice, cups, sizeof cups);
+    if (is_brief && h->counts.trap_count > 0) {
+        report_say(job->report, "%s%s%s ('sf check' says where).", traps,
+                   h->counts.cup_count > 0 ? "; printed from resin " : "",
+                   h->counts.cup_count > 0 ? cups : "");
+        return;
     }
-    report_say(r,
-               "Printed from resin, hanging from the bed, it makes %llu suction cup%s, the widest "
-               "of %.4g mm2.",
-               (unsigned long long)h->counts.cup_count, h->counts.cup_count == 1 ? "" : "s",
-               (double)widest * lattice->pitch_x_mm * lattice->pitch_y_mm);
+    if (h->counts.trap_count > 0) {
+        say_traps(job->report, &lattice, h, voxel_mm3);
+    }
+    if (h->counts.cup_count > 0) {
+        report_say(job->report, "Printed from resin, hanging from the bed, %s.", cups);
+    }
 }
 
 void hollows_report(cli_job *job, const part *p, const hollows *h)
 {
     report *r = job->report;
     sf_lattice lattice = sf_grid_lattice(p->grid);
-    double voxel_mm3 = place_voxel_mm3(p->grid);
     report_begin(r, "voids");
     report_count(r, "traps", h->counts.trap_count);
     report_count(r, "trap_voxels", h->counts.trap_voxels);
@@ -137,10 +164,4 @@ void hollows_report(cli_job *job, const part *p, const hollows *h)
     report_end(r);
     report_count(r, "dropped", h->counts.voids_dropped);
     report_end(r);
-    if (h->counts.trap_count > 0) {
-        say_traps(r, &lattice, h, voxel_mm3);
-    }
-    if (h->counts.cup_count > 0) {
-        say_cups(r, &lattice, h);
-    }
 }

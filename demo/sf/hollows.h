@@ -15,8 +15,11 @@ typedef struct hollows {
 // Find them in the part's grid.
 exit_status hollows_find(cli_job *job, const part *p, hollows *h);
 
-// Fields and sentences.
+// Fields.
 void hollows_report(cli_job *job, const part *p, const hollows *h);
+
+// Sentences; in one line where they are to be brief.
+void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief);
 
 void hollows_release(hollows *h);
 

@@ -286,13 +286,16 @@ static void say_verdict(report *r, const judgement *j)
                list, 100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
 }
 
-void judgement_report(cli_job *job, const part *p, const judgement *j, size_t said)
+void judgement_report(cli_job *job, const part *p, const judgement *j, int is_brief)
 {
+    int is_hollow = j->hollows.counts.trap_count + j->hollows.counts.cup_count > 0;
+    size_t most = !is_brief ? 4 : is_hollow ? 1 : 2;
     report *r = job->report;
     sf_lattice lattice = sf_grid_lattice(p->grid);
     report_fields(r, &lattice, j);
     report_number(r, "volume_mm3", describe_volume(p->grid));
     say_verdict(r, j);
-    say_groups(r, &lattice, j, place_voxel_mm3(p->grid), said);
+    say_groups(r, &lattice, j, place_voxel_mm3(p->grid), most);
     hollows_report(job, p, &j->hollows);
+    hollows_say(job, p, &j->hollows, is_brief);
 }

@@ -26,8 +26,9 @@ sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
 // Check the part's grid under its rule, and find the places.
 exit_status judge(cli_job *job, const part *p, judgement *j);
 
-// Fields and sentences of a judgement, of which at most `said` name a finding each.
-void judgement_report(cli_job *job, const part *p, const judgement *j, size_t said);
+// Fields and sentences of a judgement; five lines at most where they are to be brief, with that of
+// the part.
+void judgement_report(cli_job *job, const part *p, const judgement *j, int is_brief);
 
 void judgement_release(judgement *j);
 

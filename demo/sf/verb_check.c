@@ -65,7 +65,7 @@ static exit_status check(cli_job *job, part *p)
     describe_part(job, p, "check");
     status = judge(job, p, &j);
     if (status == EXIT_GOOD) {
-        judgement_report(job, p, &j, 4);
+        judgement_report(job, p, &j, 0);
         status = job->options.steepest ? look_for_steepest(job, p) : EXIT_GOOD;
     }
     if (status == EXIT_GOOD) {

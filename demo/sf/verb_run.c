@@ -183,8 +183,7 @@ static exit_status run(cli_job *job, part *p)
     describe_part(job, p, "run");
     status = judge(job, p, &j);
     if (status == EXIT_GOOD) {
-        int hollow = j.hollows.counts.trap_count + j.hollows.counts.cup_count > 0;
-        judgement_report(job, p, &j, hollow ? 1 : 2); // ten lines in all
+        judgement_report(job, p, &j, 1); // ten lines in all
         status = change_and_save(job, p);
     }
     judgement_release(&j);

@@ -35,6 +35,19 @@ if [ -e out/before.png ]; then
     ok $? "before and after differ"
 fi
 
+# Ten lines for a part with overhangs, crumbs, voids that are shut and suction cups as well.
+for hollow in "2 2 5 8 8 15" "12 2 5 18 8 15" "2 12 5 8 18 15" "12 12 5 18 18 15" "22 2 12 28 8 30" "22 12 12 28 18 30" "29 0 0 30 20 1"; do
+    # shellcheck disable=SC2086
+    box hollow.obj $hollow
+    cat hollow.obj
+done >hollows.obj
+box outer.obj 0 0 0 30 20 30
+cat outer.obj hollows.obj | awk '$1 == "v" { print; seen++ } $1 == "f" { printf "f"; for (i = 2; i <= NF; i++) printf " %d", $i + seen - 8; print "" }' >voids.obj
+run run voids.obj --fill parity --pitch 0.5 --crumbs 3 --pixels 160,120 -o voids
+same "$exit $(wc -l <stdout)" "0 10" "ten lines for a part with everything"
+grep -q '^4 voids are shut, .*; printed from resin it makes 2 suction cups' stdout
+ok $? "voids in one of them: $(grep void stdout)"
+
 # Where growing cannot do it, the other two stand, and the grown shape of an earlier run goes.
 cp -R out bed
 run run --resolution 64 --pixels 160,120 --bed 8 -o bed
