@@ -26,7 +26,7 @@ const char *describe_mm3(double volume_mm3, char text[DESCRIBE_MM3_SIZE])
     return text;
 }
 
-static void report_lattice(report *r, const sf_lattice *lattice)
+void describe_lattice(report *r, const sf_lattice *lattice)
 {
     double pitch[2] = {lattice->pitch_x_mm, lattice->pitch_y_mm};
     report_begin(r, "lattice");
@@ -93,7 +93,7 @@ void describe_part(cli_job *job, const part *p, const char *verb)
     report *r = job->report;
     report_text(r, "verb", verb);
     report_text(r, "input", job->options.input != NULL ? job->options.input : "scene:garden");
-    report_lattice(r, &lattice);
+    describe_lattice(r, &lattice);
     if (p->has_rule) {
         report_rule(r, p, &lattice, &job->options);
     }

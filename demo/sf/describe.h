@@ -14,6 +14,9 @@ double describe_volume(const sf_grid *grid);
 enum { DESCRIBE_MM3_SIZE = 32 };
 const char *describe_mm3(double volume_mm3, char text[DESCRIBE_MM3_SIZE]);
 
+// An object "lattice".
+void describe_lattice(report *r, const sf_lattice *lattice);
+
 // Fields: verb, input, lattice, rule, bed layer; and the sentence that opens the text.
 void describe_part(cli_job *job, const part *p, const char *verb);
 

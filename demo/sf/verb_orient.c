@@ -40,13 +40,14 @@ static void report_orientation(report *r, const char *key, const sf_orientation 
     report_end(r);
 }
 
-static void report_fields(cli_job *job, const answer *a)
+static void report_fields(cli_job *job, const sf_lattice *lattice, const answer *a)
 {
     const cli_options *asked = &job->options;
     report *r = job->report;
     report_text(r, "verb", "orient");
     report_text(r, "input", asked->input);
     report_count(r, "resolution", asked->resolution);
+    describe_lattice(r, lattice);
     report_begin(r, "rule");
     report_text(r, "kind", sf_rule_kind_name(asked->rule));
     if (asked->rule == SF_RULE_BOX3) {
@@ -166,6 +167,19 @@ static exit_status find(cli_job *job, const part *p, answer *a)
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, asked->input, EXIT_INPUT);
 }
 
+// Make voxels of the part as it is: to say what every verb says of a mesh that is open or inside
+// out, and on which lattice "given" is. The other ways up are on voxels of the same size.
+static exit_status try_as_given(cli_job *job, part *p, sf_lattice *lattice)
+{
+    exit_status status = part_voxelize(job, p);
+    if (status == EXIT_GOOD) {
+        *lattice = sf_grid_lattice(p->grid);
+    }
+    sf_grid_destroy(p->grid);
+    p->grid = NULL;
+    return status;
+}
+
 static exit_status write_turned(cli_job *job, part *p, const answer *a)
 {
     const char *path = job->options.output;
@@ -188,14 +202,18 @@ static exit_status write_turned(cli_job *job, part *p, const answer *a)
 static exit_status orient(cli_job *job, part *p)
 {
     answer a;
+    sf_lattice lattice;
     memset(&a, 0, sizeof a);
     if (p->kind != PART_MESH) {
         return job_fail(job, EXIT_INPUT, "%s is no mesh; only a mesh can be turned.",
                         job->options.input);
     }
-    exit_status status = find(job, p, &a);
+    exit_status status = try_as_given(job, p, &lattice);
     if (status == EXIT_GOOD) {
-        report_fields(job, &a);
+        status = find(job, p, &a);
+    }
+    if (status == EXIT_GOOD) {
+        report_fields(job, &lattice, &a);
         say(job, &a);
         status = write_turned(job, p, &a);
     }

@@ -122,7 +122,7 @@ same "$(value solid_voxels)" "$kept" "the mesh becomes the same voxels on the sa
 same "$(value layers.0.components)" 1 "slice counts the pieces of a layer"
 
 run orient part.stl --resolution 32 --count 2 --json -o turned.stl
-for path in orientations.1.up.2 orientations.0.matrix.8 orientations.0.shift_mm.2 given.margin_deg \
+for path in lattice.nx lattice.pitch_mm.1 lattice.layer_mm lattice.origin_mm.2 orientations.1.up.2 orientations.0.matrix.8 orientations.0.shift_mm.2 given.margin_deg \
     orientations.0.trimmed_mm3 orientations.0.height_mm orientations.0.unsupported_mm2 output; do
     value $path >/dev/null
     ok $? "orient reports $path"
@@ -132,6 +132,17 @@ run info turned.stl --json
 awk -v low="$(value bounds_mm.low.2)" -v top="$(value bounds_mm.high.2)" -v high="$high" \
     'BEGIN { exit !(low * low < 1e-6 && (top - high) ^ 2 < 1e-6) }'
 ok $? "and writes the mesh that way up, on the bed"
+
+# Every verb that makes voxels of a mesh says that it is not closed, and on which lattice.
+box whole.obj 0 0 0 20 12 10
+sed '$d' whole.obj >lid.obj
+for verb in run check trim grow repair "preserve --remove top.obj" slice orient render; do
+    # shellcheck disable=SC2086
+    run ${verb%% *} lid.obj ${verb#"${verb%% *}"} --resolution 40 --json
+    [ $exit -eq 2 ] || same "$(value lattice.nx) $(value lattice.nz) $(value lattice.pitch_mm.0)" "42 20 0.5" "$verb says what its lattice is"
+    [ $exit -eq 2 ] || grep -q 'The mesh is not closed (4 open edges)' stdout
+    ok $? "$verb warns of an open mesh"
+done
 
 # A box of 12 x 20 x 30 mm, as a mesh and as voxels of 2 x 1 x 1.5 mm; inertia is V/12 (b^2 + c^2).
 cat >box.obj <<'OBJ'
