@@ -85,7 +85,7 @@ static sf_status check_terms(const sf_grid *solid, const sf_terms *terms,
         return options->mode == SF_CARVE_PLANE ? SF_OK : SF_ERR_ARGUMENT;
     }
     SF_TRY(sfi_terms_check(terms, solid, &ground));
-    return sfi_terms_name(terms, result) ? SF_ERR_ARGUMENT : SF_OK;
+    return sfi_terms_mask(terms, result) ? SF_ERR_ARGUMENT : SF_OK;
 }
 
 static sf_status check(const sf_grid *solid, const sf_grid *wall, const sf_terms *terms,

@@ -293,7 +293,7 @@ static sf_status check(const sf_grid *grid, const sf_terms *terms, const sf_drai
     }
     if (terms != NULL) {
         SF_TRY(sfi_terms_check(terms, grid, &ground));
-        if (sfi_terms_name(terms, grid)) {
+        if (sfi_terms_mask(terms, grid)) {
             return SF_ERR_ARGUMENT;
         }
     }

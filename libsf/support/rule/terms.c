@@ -33,8 +33,7 @@ sf_status sfi_terms_match(const sf_lattice *lattice, const sf_grid *grid)
     return same ? SF_OK : SF_ERR_SHAPE;
 }
 
-// Whether a grid is one of the masks.
-static int is_mask(const sf_terms *terms, const sf_grid *grid)
+int sfi_terms_mask(const sf_terms *terms, const sf_grid *grid)
 {
     return grid != NULL && (grid == terms->exempt || grid == terms->keep || grid == terms->forbid ||
                             grid == terms->act);
@@ -208,7 +207,8 @@ sf_status sf_grid_feasible(const sf_grid *allowed, const sf_grid *needed, const 
 {
     sfi_ground ground;
     SF_TRY(sfi_terms_check(terms, allowed, &ground));
-    if (needed == NULL || culprits == allowed || culprits == needed || is_mask(terms, culprits)) {
+    if (needed == NULL || culprits == allowed || culprits == needed ||
+        sfi_terms_mask(terms, culprits)) {
         return SF_ERR_ARGUMENT;
     }
     SF_TRY(sfi_terms_match(&ground.lattice, needed));
@@ -278,7 +278,7 @@ sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms, const sf_allocat
 {
     sfi_ground ground;
     SF_TRY(sfi_terms_check(terms, grid, &ground));
-    if (grid == culprits || is_mask(terms, grid) || is_mask(terms, culprits)) {
+    if (grid == culprits || sfi_terms_mask(terms, grid) || sfi_terms_mask(terms, culprits)) {
         return SF_ERR_ARGUMENT;
     }
     if (culprits != NULL) {

@@ -22,6 +22,9 @@ sf_status sfi_terms_match(const sf_lattice *lattice, const sf_grid *grid);
 // The first layer that holds matter; nz when none does.
 uint32_t sfi_first_matter(const sf_grid *grid);
 
+// Whether a grid is one of the masks.
+int sfi_terms_mask(const sf_terms *terms, const sf_grid *grid);
+
 // Slice k of a mask, or SFI_NO_SLICE where the mask is NULL.
 sf_slice sfi_mask_slice(const sf_grid *mask, uint32_t k);
 
