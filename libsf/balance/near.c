@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Boxes around the triangles of a mesh, to find out whether any of them comes near.
 //
-// Triangles are sorted along a curve through space that visits what is close together one after
-// the other (G. M. Morton, 1966: the bits of the three coordinates, one of each in turn). Then
-// eight boxes in a row make a block, which has a box one level up, and so on: building is a radix
-// sort and one pass, and the tree needs no links. The boxes of a block lie side by side in memory,
-// so that a compiler can look at several with one instruction.
+// Triangles are put in the order of a curve that fills space (morton.c). Then eight boxes in a row
+// make a block, which has a box one level up, and so on: building is a sort and one pass, and the
+// tree needs no links. The boxes of a block lie side by side in memory, so that a compiler can look
+// at several with one instruction.
 //
 // A search leaves out what is not near, so that a no has looked at little more than what might have
 // been a yes, and goes into the nearest box first, so that a yes is soon found.
 
 #include "balance/near.h"
 
+#include "balance/morton.h"
 #include "base/memory.h"
 #include "base/status.h"
 
@@ -19,101 +19,32 @@
 #include <math.h>
 #include <string.h>
 
-#define MORTON_BITS 10
-#define RADIX_BITS 10
 #define NOWHERE (-1e150) // half the size of a box that there is not
-
-typedef struct entry {
-    uint32_t key, triangle;
-} entry;
 
 static const double *corner_of(const sf_mesh_view *mesh, size_t triangle, int i)
 {
     return mesh->vertices + 3 * (size_t)mesh->triangles[3 * triangle + (size_t)i];
 }
 
-// ---------------------------------------------------------------------------------------------
-// Sorting
-// ---------------------------------------------------------------------------------------------
-
-// Bits of a number of 10 bits with two zeros before each.
-static uint32_t spread(uint32_t v)
-{
-    v = (v | v << 16) & 0x030000ffu;
-    v = (v | v << 8) & 0x0300f00fu;
-    v = (v | v << 4) & 0x030c30c3u;
-    return (v | v << 2) & 0x09249249u;
-}
-
-static void find_bounds(const sf_mesh_view *mesh, double low[3], double *size)
-{
-    double high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
-    low[0] = low[1] = low[2] = DBL_MAX;
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        const double *v = mesh->vertices + 3 * i;
-        for (int j = 0; j < 3; j++) {
-            low[j] = v[j] < low[j] ? v[j] : low[j];
-            high[j] = v[j] > high[j] ? v[j] : high[j];
-        }
-    }
-    *size = 0;
-    for (int j = 0; j < 3; j++) {
-        *size = high[j] - low[j] > *size ? high[j] - low[j] : *size;
-    }
-}
-
-static void make_keys(const sf_mesh_view *mesh, entry *entries)
-{
-    double low[3], size;
-    find_bounds(mesh, low, &size);
-    double scale = size > 0 && size < DBL_MAX ? (1 << MORTON_BITS) / size : 0;
-    for (size_t t = 0; t < mesh->triangle_count; t++) {
-        uint32_t key = 0;
-        for (int j = 0; j < 3; j++) {
-            double sum = 0;
-            for (int i = 0; i < 3; i++) {
-                sum += (corner_of(mesh, t, i)[j] - low[j]) * scale;
-            }
-            uint32_t cell = sum > 0 ? sum < 3 * 1023.0 ? (uint32_t)(sum / 3) : 1023 : 0;
-            key |= spread(cell) << j;
-        }
-        entries[t].key = key;
-        entries[t].triangle = (uint32_t)t;
-    }
-}
-
-static void sort_pass(const entry *from, entry *to, size_t count, unsigned shift)
-{
-    size_t place[(1 << RADIX_BITS) + 1] = {0};
-    for (size_t i = 0; i < count; i++) {
-        place[(from[i].key >> shift & ((1 << RADIX_BITS) - 1)) + 1]++;
-    }
-    for (size_t b = 0; b < 1 << RADIX_BITS; b++) {
-        place[b + 1] += place[b];
-    }
-    for (size_t i = 0; i < count; i++) {
-        to[place[from[i].key >> shift & ((1 << RADIX_BITS) - 1)]++] = from[i];
-    }
-}
-
+// Triangles in the order of their middles.
 static sf_status sort(sfi_near *near, const sf_allocator *allocator)
 {
-    size_t count = near->mesh.triangle_count;
-    entry *entries = sfi_alloc_array(allocator, count, 2 * sizeof *entries);
+    const sf_mesh_view *mesh = &near->mesh;
+    size_t count = mesh->triangle_count;
     near->order = sfi_alloc_array(allocator, count, sizeof *near->order);
-    if (entries != NULL && near->order != NULL) {
-        entry *spare = entries + count;
-        make_keys(&near->mesh, entries);
-        sort_pass(entries, spare, count, 0);
-        sort_pass(spare, entries, count, RADIX_BITS);
-        sort_pass(entries, spare, count, 2 * RADIX_BITS);
-        for (size_t i = 0; i < count; i++) {
-            near->order[i] = spare[i].triangle;
+    double *middles = sfi_alloc_array(allocator, count, 3 * sizeof *middles);
+    sf_status status = SF_ERR_MEMORY;
+    for (size_t i = 0; middles != NULL && i < 3 * count; i++) {
+        middles[i] = 0;
+        for (int j = 0; j < 3; j++) {
+            middles[i] += corner_of(mesh, i / 3, j)[i % 3] / 3;
         }
     }
-    int good = entries != NULL && near->order != NULL;
-    sfi_free_array(allocator, entries, count, 2 * sizeof *entries);
-    return good ? SF_OK : SF_ERR_MEMORY;
+    if (near->order != NULL && middles != NULL) {
+        status = sfi_morton_order(middles, count, allocator, near->order);
+    }
+    sfi_free_array(allocator, middles, count, 3 * sizeof *middles);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -39,6 +39,7 @@
 #define PIECES 16u    // slabs that are looked at side by side
 #define SLAB 8u       // layers of a slab
 #define ERROR 0x1p-20 // of a voxel: more than rounding hides
+#define FARTHEST 1e12 // coordinates, in mm, as in a lattice
 
 // Scratch of one slab.
 typedef struct slab {
@@ -265,6 +266,11 @@ sf_status sf_grid_wall(const sf_grid *solid, sf_mesh_view surface, double wall_m
     s.allocator = sfi_allocator_or_default(allocator);
     SF_TRY(sfi_terms_match(&s.lattice, wall));
     SF_TRY(sf_mesh_bounds(surface, low, high));
+    for (int i = 0; i < 3; i++) {
+        if (low[i] < -FARTHEST || high[i] > FARTHEST) {
+            return SF_ERR_OVERFLOW;
+        }
+    }
     sfi_progress progress = sfi_progress_begin(task);
     set_limits(&s, wall_mm, low, high);
     sf_status status = create(&s, surface, task);

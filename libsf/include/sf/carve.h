@@ -44,9 +44,9 @@ extern "C" {
  * @param task       NULL, or progress, cancel and threads; the result is the same bytes with any
  * @param wall       of the solid's counts, and not the solid: set to the wall
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, one grid given twice, a thickness that is
- * negative or not finite; what sf_mesh_bounds() and sf_grid_voxelize() say; SF_ERR_SHAPE: grids
- * that differ in counts; SF_ERR_OVERFLOW: a surface around a lattice that is as large as can be;
- * SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * negative or not finite; what sf_mesh_bounds() says; SF_ERR_SHAPE: grids that differ in counts;
+ * SF_ERR_OVERFLOW: a coordinate beyond 1e12 mm, a surface around a lattice that is as large as can
+ * be; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost sorts the triangles; some reach * reach passes over bits, with the reach of the wall in
  * voxels; and for about one layer of voxels each the triangles that lie just so far.
  * @threads any that write distinct walls; the task's hook may run up to 16 pieces at once; one at a

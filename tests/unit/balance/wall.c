@@ -315,6 +315,9 @@ static void nonsense_is_refused(void)
     CHECK_EQ(sf_grid_wall(grid, mesh, INFINITY, NULL, NULL, wall), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_wall(grid, none, 1, NULL, NULL, wall), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_wall(grid, mesh, 1, NULL, NULL, other), SF_ERR_SHAPE);
+    s.vertices[0] = 2e12;
+    CHECK_EQ(sf_grid_wall(grid, mesh, 1, NULL, NULL, wall), SF_ERR_OVERFLOW);
+    make_solid(1);
     wrong.vertex_count = 2;
     CHECK_EQ(sf_grid_wall(grid, wrong, 1, NULL, NULL, wall), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_wall_inside(NULL, 1, NULL, NULL, wall), SF_ERR_ARGUMENT);
