@@ -151,12 +151,15 @@ void sfi_near_destroy(sfi_near *near, const sf_allocator *allocator)
 // Searching
 // ---------------------------------------------------------------------------------------------
 
+// A box, and the nearest triangle so far, which must be nearer than what the query began with. Who
+// asks for any has found it then.
 typedef struct query {
     const double *middle, *half;
-    double limit, squared_limit;
+    double squared, limit;
+    int wants_any, has_any;
 } query;
 
-static int triangle_is_near(const sfi_near *near, size_t place, const query *q)
+static void ask_triangle(const sfi_near *near, size_t place, query *q)
 {
     double corners[3][3];
     for (int i = 0; i < 3; i++) {
@@ -165,7 +168,13 @@ static int triangle_is_near(const sfi_near *near, size_t place, const query *q)
             corners[i][j] = corner[j] - q->middle[j];
         }
     }
-    return sfi_triangle_is_near((const double(*)[3])corners, q->half, q->limit);
+    double gap = sfi_triangle_gap((const double(*)[3])corners, q->half, q->limit,
+                                  q->wants_any ? q->limit : 0);
+    if (gap < q->squared) {
+        q->squared = gap;
+        q->limit = sqrt(gap);
+        q->has_any = 1;
+    }
 }
 
 // Squared gap between the box of the query and each of a block.
@@ -186,27 +195,25 @@ static void measure(const sfi_near_block *block, const query *q, double gaps[SFI
 
 // A block to look into.
 typedef struct visit {
+    double gap; // of its box
     size_t level, index;
 } visit;
 
-// Put the near boxes of a block on the stack, the nearest last; level 0: ask the triangles. Returns
-// whether one of them is near.
-static int look_into(const sfi_near *near, visit here, const query *q, visit *stack, size_t *depth)
+// Put the near boxes of a block on the stack, the nearest last; level 0: ask the triangles.
+static void look_into(const sfi_near *near, visit here, query *q, visit *stack, size_t *depth)
 {
     double gaps[SFI_NEAR_SPAN], least = DBL_MAX;
     measure(&near->blocks[near->first[here.level] + here.index], q, gaps);
-    for (size_t i = 0; i < SFI_NEAR_SPAN; i++) {
+    for (size_t i = 0; i < SFI_NEAR_SPAN && !(q->wants_any && q->has_any); i++) {
         size_t inner = here.index * SFI_NEAR_SPAN + i;
-        if (!(gaps[i] < q->squared_limit)) {
+        if (!(gaps[i] < q->squared)) {
             continue;
         }
         if (here.level == 0) {
-            if (triangle_is_near(near, inner, q)) {
-                return 1;
-            }
+            ask_triangle(near, inner, q);
             continue;
         }
-        visit next = {here.level - 1, inner};
+        visit next = {gaps[i], here.level - 1, inner};
         stack[*depth] = next;
         if (gaps[i] > least) {
             stack[*depth] = stack[*depth - 1];
@@ -215,24 +222,35 @@ static int look_into(const sfi_near *near, visit here, const query *q, visit *st
         least = gaps[i] < least ? gaps[i] : least;
         *depth += 1;
     }
-    return 0;
+}
+
+static void search(const sfi_near *near, query *q)
+{
+    visit stack[SFI_NEAR_LEVELS * SFI_NEAR_SPAN];
+    size_t depth = 0;
+    if (near->levels > 0) {
+        visit root = {0, near->levels - 1, 0};
+        stack[depth++] = root;
+    }
+    while (depth > 0 && !(q->wants_any && q->has_any)) {
+        visit here = stack[--depth];
+        if (here.gap < q->squared) {
+            look_into(near, here, q, stack, &depth);
+        }
+    }
 }
 
 int sfi_near_any(const sfi_near *near, const double middle[3], const double half[3], double limit)
 {
-    visit stack[SFI_NEAR_LEVELS * SFI_NEAR_SPAN];
-    query q = {middle, half, limit, limit * limit};
-    if (near->levels == 0 || !(limit > 0)) {
-        return 0;
-    }
-    size_t depth = 1;
-    stack[0].level = near->levels - 1;
-    stack[0].index = 0;
-    while (depth > 0) {
-        visit here = stack[--depth];
-        if (look_into(near, here, &q, stack, &depth)) {
-            return 1;
-        }
-    }
-    return 0;
+    query q = {middle, half, limit * limit, limit, 1, 0};
+    search(near, &q);
+    return q.has_any;
+}
+
+double sfi_near_least(const sfi_near *near, const double middle[3], const double half[3],
+                      double limit)
+{
+    query q = {middle, half, limit * limit, limit, 0, 0};
+    search(near, &q);
+    return q.limit;
 }

@@ -6,10 +6,12 @@
 
 #include <sf/mesh.h>
 
-// Whether a triangle has a point nearer than `limit` to the box |x_i| <= half[i]; its corners are
-// given from the middle of the box. A yes is proved by a point of the triangle; a no is wrong by
-// rounding at most. No triangle is near for a limit of 0 or less.
-int sfi_triangle_is_near(const double corners[3][3], const double half[3], double limit);
+// Squared distance of a triangle to the box |x_i| <= half[i], as long as it is below that of
+// `limit`; else any number that is not. Who has enough with less than the square of `enough` gets
+// the first such number. The corners are given from the middle of the box. What is below is proved
+// by a point of the triangle; what is not is wrong by rounding at most.
+double sfi_triangle_gap(const double corners[3][3], const double half[3], double limit,
+                        double enough);
 
 #define SFI_NEAR_LEVELS 12 // more than 2^32 triangles have
 #define SFI_NEAR_SPAN 8u   // boxes in a block
@@ -37,5 +39,9 @@ void sfi_near_destroy(sfi_near *near, const sf_allocator *allocator);
 
 // Whether any triangle has a point nearer than `limit` to the box around `middle`.
 int sfi_near_any(const sfi_near *near, const double middle[3], const double half[3], double limit);
+
+// Distance of the nearest triangle where that is below `limit`, else `limit`.
+double sfi_near_least(const sfi_near *near, const double middle[3], const double half[3],
+                      double limit);
 
 #endif

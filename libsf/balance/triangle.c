@@ -15,13 +15,14 @@
 //                    the triangle, and so does the point where the box's diagonal crosses the
 //                    plane.
 //
-// Every yes comes from a point of the triangle, whose distance to the box is a matter of a few
+// Every distance comes from a point of the triangle, whose distance to the box is a matter of a few
 // roundings; thin triangles, whose normal is little more than rounding, are found by their edges.
-// A no is made cheap by the normal: any direction that parts all corners from the box by so much
-// proves it, whatever it is the normal of.
+// What is too far off is found cheaply by the normal: any direction that parts all corners from the
+// box by so much proves it, whatever it is the normal of.
 
 #include "balance/near.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "mesh/vector.h"
@@ -102,14 +103,15 @@ static int is_parted(const plane *p, double limit)
     return gap > 0 && gap * gap >= limit * limit * p->squared;
 }
 
-// Whether the inside of the triangle comes near the box, as long as no edge does.
-static int inside_is_near(const double corners[3][3], double e[2][3], const plane *p,
-                          const double half[3], double squared_limit)
+// Squared distance of a point inside of the triangle, which is the nearest where no edge is nearer;
+// else a large number.
+static double inside_gap(const double corners[3][3], double e[2][3], const plane *p,
+                         const double half[3])
 {
     double at[3], d00 = sfi_dot(e[0], e[0]), d01 = sfi_dot(e[0], e[1]), d11 = sfi_dot(e[1], e[1]);
     double offset = 0.5 * (p->least + p->most), determinant = d00 * d11 - d01 * d01;
     if (!(determinant > 0) || !(p->reach > 0)) {
-        return 0;
+        return DBL_MAX;
     }
     // The corner of the box that is farthest along the normal has `reach` along it.
     int meets = fabs(offset) <= p->reach;
@@ -123,34 +125,39 @@ static int inside_is_near(const double corners[3][3], double e[2][3], const plan
     double b0 = sfi_dot(e[0], at), b1 = sfi_dot(e[1], at);
     double u = (d11 * b0 - d01 * b1) / determinant, v = (d00 * b1 - d01 * b0) / determinant;
     if (!(u >= 0 && v >= 0 && u + v <= 1)) {
-        return 0;
+        return DBL_MAX;
     }
     for (int i = 0; i < 3; i++) {
         at[i] = corners[0][i] + u * e[0][i] + v * e[1][i];
     }
-    return squared_gap(at, half) < squared_limit;
+    return squared_gap(at, half);
 }
 
-int sfi_triangle_is_near(const double corners[3][3], const double half[3], double limit)
+static double lesser(double a, double b)
 {
-    double e[2][3], last[3], squared_limit = limit * limit;
-    if (!(limit > 0)) {
-        return 0;
-    }
+    return a < b ? a : b;
+}
+
+double sfi_triangle_gap(const double corners[3][3], const double half[3], double limit,
+                        double enough)
+{
+    double e[2][3], last[3], squared = enough * enough;
     sfi_subtract(corners[1], corners[0], e[0]);
     sfi_subtract(corners[2], corners[0], e[1]);
     plane p = lay_plane(corners, e, half);
     if (is_parted(&p, limit)) {
-        return 0;
+        return DBL_MAX;
     }
-    for (int i = 0; i < 3; i++) {
-        if (squared_gap(corners[i], half) < squared_limit) {
-            return 1;
-        }
+    double gap = squared_gap(corners[0], half);
+    if (gap < squared) {
+        return gap;
+    }
+    gap = lesser(gap, segment_gap(corners[0], e[0], half));
+    if (gap < squared) {
+        return gap;
     }
     sfi_subtract(corners[2], corners[1], last);
-    return segment_gap(corners[0], e[0], half) < squared_limit ||
-           segment_gap(corners[0], e[1], half) < squared_limit ||
-           segment_gap(corners[1], last, half) < squared_limit ||
-           inside_is_near(corners, e, &p, half, squared_limit);
+    gap = lesser(gap, segment_gap(corners[0], e[1], half));
+    gap = lesser(gap, segment_gap(corners[1], last, half));
+    return gap < squared ? gap : lesser(gap, inside_gap(corners, e, &p, half));
 }

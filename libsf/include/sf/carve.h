@@ -39,7 +39,7 @@ extern "C" {
  * @param solid      the solid
  * @param surface    its surface; it may reach beyond the lattice
  * @param wall_mm    thickness; 0 gives no wall
- * @param allocator  for working memory: two grids, 48 slices, and 120 bytes a triangle; NULL for
+ * @param allocator  for working memory: two grids, 48 slices, and 100 bytes a triangle; NULL for
  *                   the C library's
  * @param task       NULL, or progress, cancel and threads; the result is the same bytes with any
  * @param wall       of the solid's counts, and not the solid: set to the wall
@@ -78,6 +78,28 @@ SF_API SF_CHECKED sf_status sf_grid_wall(const sf_grid *solid, sf_mesh_view surf
 SF_API SF_CHECKED sf_status sf_grid_wall_inside(const sf_grid *solid, double wall_mm,
                                                 const sf_allocator *allocator, sf_task *task,
                                                 sf_grid *wall);
+
+/**
+ * How near the voxels of a grid come to a surface: of a cavity, how thick the wall around it is.
+ *
+ * The least distance of any point of a solid voxel, as a box, to any point of a triangle; exact but
+ * for rounding, and 0 where a triangle comes within 2^-20 of a voxel or so.
+ *
+ * @param grid       the voxels
+ * @param surface    the triangles; they may reach beyond the lattice
+ * @param allocator  for working memory: a grid and 100 bytes a triangle; NULL for the C library's
+ * @param task       NULL, or progress, cancel and threads; the result is the same bytes with any
+ * @param least_mm   receives the distance; infinite where nothing is solid
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; what sf_mesh_bounds() says; SF_ERR_OVERFLOW: as
+ * sf_grid_wall(); SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost sorts the triangles; and for each voxel at the border of what is solid the triangles that
+ * lie as near as the nearest.
+ * @threads any; the task's hook may run up to 16 pieces at once; one at a time for each allocator.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_clearance(const sf_grid *grid, sf_mesh_view surface,
+                                              const sf_allocator *allocator, sf_task *task,
+                                              double *least_mm);
 
 // ---------------------------------------------------------------------------------------------
 // Carving

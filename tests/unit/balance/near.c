@@ -37,6 +37,11 @@ static void random_triangle(int kind, vec t[3])
     }
 }
 
+static int is_near(const double corners[3][3], const double half[3], double limit)
+{
+    return sfi_triangle_gap(corners, half, limit, limit) < limit * limit;
+}
+
 static void check_triangle(int kind)
 {
     vec t[3];
@@ -51,17 +56,18 @@ static void check_triangle(int kind)
         }
     }
     double distance = box_triangle(low, high, t);
+    double gap = sfi_triangle_gap((const double(*)[3])corners, half, 1e9, 0);
+    CHECK_NEAR(sqrt(gap), distance, 1e-7 * (1 + distance));
     for (int i = 0; i < 3; i++) {
         double limit = distance + (i - 1) * (1e-7 + 1e-7 * distance);
         if (limit > 0 && i != 1) {
-            CHECK_EQ(sfi_triangle_is_near((const double(*)[3])corners, half, limit), i == 2);
+            CHECK_EQ(is_near((const double(*)[3])corners, half, limit), i == 2);
         }
     }
-    CHECK_EQ(sfi_triangle_is_near((const double(*)[3])corners, half, 0), 0);
+    CHECK_EQ(is_near((const double(*)[3])corners, half, 0), 0);
     double random = random_in(0, 8);
     if (fabs(random - distance) > 1e-6) {
-        CHECK_EQ(sfi_triangle_is_near((const double(*)[3])corners, half, random),
-                 distance < random);
+        CHECK_EQ(is_near((const double(*)[3])corners, half, random), distance < random);
     }
 }
 
@@ -77,13 +83,13 @@ static void whole_numbers(void)
 {
     const double square[3][3] = {{-3, -3, 2.5}, {3, -3, 2.5}, {0, 9, 2.5}};
     const double half[3] = {0.5, 0.5, 0.5};
-    CHECK_EQ(sfi_triangle_is_near(square, half, 2), 0);
-    CHECK_EQ(sfi_triangle_is_near(square, half, nextafter(2, 3)), 1);
+    CHECK_EQ(is_near(square, half, 2), 0);
+    CHECK_EQ(is_near(square, half, nextafter(2, 3)), 1);
     const double corner[3][3] = {{3.5, 4.5, 0}, {9, 9, 0}, {9, 9, 9}};
-    CHECK_EQ(sfi_triangle_is_near(corner, half, 5), 0);
-    CHECK_EQ(sfi_triangle_is_near(corner, half, nextafter(5, 6)), 1);
+    CHECK_EQ(is_near(corner, half, 5), 0);
+    CHECK_EQ(is_near(corner, half, nextafter(5, 6)), 1);
     const double through[3][3] = {{-9, -9, 0.1}, {9, -9, 0.1}, {0, 9, 0.1}};
-    CHECK_EQ(sfi_triangle_is_near(through, half, 1e-9), 1);
+    CHECK_EQ(is_near(through, half, 1e-9), 1);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -128,6 +134,10 @@ static void a_tree_finds_what_there_is(void)
             double distance = box_mesh(low, high, soup);
             if (fabs(distance - limit) > 1e-6) {
                 CHECK_EQ(sfi_near_any(&near, middle, half, limit), distance < limit);
+            }
+            if (count > 0) {
+                CHECK_NEAR(sfi_near_least(&near, middle, half, 1e9), distance, 1e-6);
+                CHECK_NEAR(sfi_near_least(&near, middle, half, limit), fmin(distance, limit), 1e-6);
             }
             if (count > 0 && distance > 0) {
                 CHECK_EQ(sfi_near_any(&near, middle, half, distance * 1.000001 + 1e-6), 1);

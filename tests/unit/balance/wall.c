@@ -97,6 +97,30 @@ static void distances_decide(void)
     }
 }
 
+// The least distance of all solid voxels, of cavities and of noise; none where nothing is solid.
+static void clearance_is_the_least_distance(void)
+{
+    for (int i = 0; i < 24; i++) {
+        sf_lattice l = lattice_of(i % 4);
+        make_solid(i / 4);
+        sf_grid *grid = fill(&l), *wall = grid_of(&l);
+        double least = 7, want = INFINITY;
+        CHECK_EQ(sf_grid_wall(grid, solid_view(&s), i % 5 * 0.6, NULL, NULL, wall), SF_OK);
+        for (uint32_t j = 0; j < l.nx * l.ny * l.nz; j++) {
+            uint32_t x = j % l.nx, y = j / l.nx % l.ny, k = j / l.nx / l.ny;
+            double low[3], high[3];
+            int in = get(grid, x, y, k) && !get(wall, x, y, k) && test_random_below(9) > 0;
+            CHECK_EQ(sf_slice_set(sf_grid_slice(grid, k), x, y, in), SF_OK);
+            voxel_box(&l, x, y, k, low, high);
+            want = in ? fmin(want, box_mesh(low, high, solid_view(&s))) : want;
+        }
+        CHECK_EQ(sf_grid_clearance(grid, solid_view(&s), NULL, NULL, &least), SF_OK);
+        CHECK(least == want || fabs(least - want) < 1e-5);
+        sf_grid_destroy(grid);
+        sf_grid_destroy(wall);
+    }
+}
+
 // A thickness of more voxels than an element reaches.
 static void very_fine_voxels(void)
 {
@@ -262,7 +286,7 @@ static void failures_change_nothing(void)
     sf_lattice lattice = {30, 28, 260, 0.5, 0.5, 0.0625, NULL, {0, 0, 0}};
     make_solid(3);
     sf_grid *grid = fill(&lattice), *wall = scribbled(&lattice), *was = scribbled(&lattice);
-    for (int inside = 0; inside < 2; inside++) {
+    for (int inside = 0; inside < 3; inside++) {
         sf_status status = SF_ERR_MEMORY;
         for (long at = 0; status != SF_OK && at < 100; at++) {
             failing_allocator f;
@@ -320,6 +344,11 @@ static void nonsense_is_refused(void)
     make_solid(1);
     wrong.vertex_count = 2;
     CHECK_EQ(sf_grid_wall(grid, wrong, 1, NULL, NULL, wall), SF_ERR_ARGUMENT);
+    double least = 7;
+    CHECK_EQ(sf_grid_clearance(NULL, mesh, NULL, NULL, &least), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_clearance(grid, mesh, NULL, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_grid_clearance(grid, none, NULL, NULL, &least), SF_ERR_ARGUMENT);
+    CHECK(least == 7);
     CHECK_EQ(sf_grid_wall_inside(NULL, 1, NULL, NULL, wall), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_wall_inside(grid, 1, NULL, NULL, NULL), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_grid_wall_inside(grid, 1, NULL, NULL, grid), SF_ERR_ARGUMENT);
@@ -338,6 +367,7 @@ static void nonsense_is_refused(void)
 int main(void)
 {
     TEST(distances_decide);
+    TEST(clearance_is_the_least_distance);
     TEST(very_fine_voxels);
     TEST(no_point_is_nearer);
     TEST(whole_voxels);
