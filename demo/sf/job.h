@@ -16,10 +16,11 @@
 
 // Exit statuses mean the same in every verb.
 typedef enum exit_status {
-    EXIT_GOOD = 0,       // done
-    EXIT_PROPERTY = 1,   // the asked property was not reached (check: not support-free)
-    EXIT_USAGE = 2,      // the command line does not make sense
-    EXIT_INPUT = 3,      // the input cannot be read or is not what it should be
+    EXIT_GOOD = 0, // done
+    EXIT_PROPERTY =
+        1,          // the asked property was not reached (check: not support-free, or it topples)
+    EXIT_USAGE = 2, // the command line does not make sense
+    EXIT_INPUT = 3, // the input cannot be read or is not what it should be
     EXIT_RESOURCE = 4,   // memory or disk
     EXIT_CANCELLED = 130 // stopped by the person
 } exit_status;

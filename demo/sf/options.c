@@ -37,6 +37,8 @@ static const option_entry table[] = {
     {OPTION_STEEPEST, "steepest", 0, NULL, "also look for the steepest overhang"},
     {OPTION_CRUMBS, "crumbs", 0, "N",
      "places of at most N voxels are summed up, not named (default 8)"},
+    {OPTION_PRINTING, "printing", 0, NULL,
+     "also ask whether it topples while it is printed, which is then status 1"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
     {OPTION_UNITS, "units", 0, "UNIT", "unit of the input: mm (default), cm, m, in"},
     {OPTION_SCALE, "scale", 0, "F", "make the part F times as large"},
@@ -87,6 +89,8 @@ static int take_option(const cli_verb *verb, int index, cli_options *made, char 
         made->quiet = 1;
     } else if (entry->bit == OPTION_STEEPEST) {
         made->steepest = 1;
+    } else if (entry->bit == OPTION_PRINTING) {
+        made->printing = 1;
     } else if (!values_parse(entry->bit, optarg, made)) {
         snprintf(message, size, "--%s wants %s, and '%s' will not do: %s", entry->name,
                  entry->argument, optarg, entry->help);

@@ -40,7 +40,8 @@ enum {
     OPTION_MODE = 1 << 24,
     OPTION_MIN_FEATURE = 1 << 25,
     OPTION_STEEPEST = 1 << 26,
-    OPTION_CRUMBS = 1 << 27
+    OPTION_CRUMBS = 1 << 27,
+    OPTION_PRINTING = 1 << 28
 };
 
 typedef struct cli_options {
@@ -72,6 +73,7 @@ typedef struct cli_options {
     sf_preserve_mode mode;
     int steepest;
     uint32_t crumbs; // places of at most that many voxels are not named
+    int printing;    // whether it is asked if it topples
 } cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// sf check: does it print without supports, and where not?
+// sf check: does it print without supports, and where not? If asked, how steep is it, and does it
+// topple while it is printed?
 
 #include "describe.h"
 #include "judgement.h"
 #include "place.h"
 #include "progress.h"
 #include "verbs.h"
+
+#include <stdlib.h>
 
 #define DEGREES (180 / 3.14159265358979323846)
 
@@ -52,9 +55,91 @@ static exit_status look_for_steepest(cli_job *job, const part *p)
     return EXIT_GOOD;
 }
 
+static void say_printing(report *r, const sf_lattice *lattice, const sf_printing_report *found)
+{
+    char where[PLACE_WORDS_SIZE];
+    double degrees = found->margin_rad * DEGREES;
+    if (found->layer == SF_BED_AUTO) {
+        report_say(r, "Nothing of it stands on the bed.");
+        return;
+    }
+    sf_box top = found->piece;
+    top.z0 = found->layer;
+    top.z1 = found->layer + 1;
+    place_words(lattice, &top, 0, where);
+    if (found->margin_rad < 0) {
+        report_say(r,
+                   "It would topple while it is printed, were it not stuck to the bed: after %u "
+                   "layer%s a piece leans beyond its base, the worst by %.1f degrees, with its top "
+                   "at %s.",
+                   found->toppling_layers, found->toppling_layers == 1 ? "" : "s", -degrees, where);
+    } else {
+        report_say(r,
+                   "It stands while it is printed: the piece nearest to falling would take a tilt "
+                   "of %.1f degrees, with its top at %s.",
+                   degrees, where);
+    }
+    if (found->floating_count > 0) {
+        report_say(r, "%llu of its pieces begin%s in the air, and %s left out of that.",
+                   (unsigned long long)found->floating_count, found->floating_count == 1 ? "s" : "",
+                   found->floating_count == 1 ? "is" : "are");
+    }
+}
+
+static void report_printing(report *r, const sf_lattice *lattice, const sf_printing_report *found,
+                            double *margins)
+{
+    double low[3], high[3];
+    report_begin(r, "printing");
+    report_flag(r, "topples", found->margin_rad < 0);
+    report_number(r, "margin_deg", found->margin_rad * DEGREES);
+    report_count(r, "toppling_layers", found->toppling_layers);
+    report_count(r, "floating_pieces", found->floating_count);
+    report_count(r, "standing_pieces", found->standing_count);
+    if (found->layer != SF_BED_AUTO) {
+        place_of_box(lattice, &found->piece, low, high);
+        report_count(r, "layer", found->layer);
+        report_number(r, "height_mm", sf_lattice_layer_bottom(lattice, found->layer + 1));
+        report_numbers(r, "low_mm", low, 3);
+        report_numbers(r, "high_mm", high, 3);
+        report_numbers(r, "com_mm", found->com_mm, 3);
+        report_numbers(r, "edge_from_mm", found->edge_mm[0], 3);
+        report_numbers(r, "edge_to_mm", found->edge_mm[1], 3);
+    }
+    for (uint32_t k = 0; k < lattice->nz; k++) {
+        margins[k] *= DEGREES;
+    }
+    report_numbers(r, "margins_deg", margins, lattice->nz);
+    report_end(r);
+    say_printing(r, lattice, found);
+}
+
+// Whether it stands after each of its layers; `topples` says so.
+static exit_status look_at_printing(cli_job *job, const part *p, int *topples)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_printing_options options = sf_printing_options_default();
+    sf_printing_report found;
+    options.bed_layer = p->bed_layer;
+    options.margin_capacity = lattice.nz;
+    options.margins_rad = malloc(lattice.nz * sizeof *options.margins_rad);
+    if (options.margins_rad == NULL) {
+        return job_fail_call(job, SF_ERR_MEMORY, NULL, "--printing", EXIT_INPUT);
+    }
+    progress_phase("looking whether it topples");
+    sf_status status = sf_grid_printing(p->grid, &options, NULL, &job->task, &found);
+    if (status == SF_OK) {
+        *topples = found.margin_rad < 0;
+        report_printing(job->report, &lattice, &found, options.margins_rad);
+    }
+    free(options.margins_rad);
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "--printing", EXIT_INPUT);
+}
+
 static exit_status check(cli_job *job, part *p)
 {
     judgement j;
+    int topples = 0;
     exit_status status = part_voxelize(job, p);
     if (status == EXIT_GOOD) {
         status = part_make_rule(job, p);
@@ -68,9 +153,12 @@ static exit_status check(cli_job *job, part *p)
         judgement_report(job, p, &j, 0);
         status = job->options.steepest ? look_for_steepest(job, p) : EXIT_GOOD;
     }
+    if (status == EXIT_GOOD && job->options.printing) {
+        status = look_at_printing(job, p, &topples);
+    }
     if (status == EXIT_GOOD) {
         report_number(job->report, "seconds", job_seconds(job));
-        status = j.counts.support_free ? EXIT_GOOD : EXIT_PROPERTY;
+        status = j.counts.support_free && !topples ? EXIT_GOOD : EXIT_PROPERTY;
     }
     judgement_release(&j);
     return status;

@@ -27,9 +27,11 @@ const verb_entry verbs_table[] = {
       "  sf info part.stl\n  sf info part.obj --units in --up +y --json\n  sf info layers\n", NULL},
      verb_info},
     {{"check", "does it print without supports, and where not?", "FILE", 0,
-      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST | OPTION_CRUMBS,
+      INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST | OPTION_CRUMBS |
+          OPTION_PRINTING,
       "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
-      "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n",
+      "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n"
+      "  sf check part.stl --printing\n",
       NULL},
      verb_check},
     {{"trim", "take away what cannot print without supports", "FILE", 0,

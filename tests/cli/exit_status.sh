@@ -23,7 +23,7 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "repair x --min-feature nan" "repair x --min-feature inf" "trim x --min-feature 1" \
     "repair scene:garden --resolution 24 --min-feature 1e6" "grow x --angle nan" \
     "repair x --angle -45" "preserve x --remove y --angle 1e300" "grow x --bridge nan" \
-    "grow x --bridge -1" "repair x --bridge 1,-1" "grow x --bridge 1,2,3" "trim x --steepest" \
+    "grow x --bridge -1" "repair x --bridge 1,-1" "grow x --bridge 1,2,3" "trim x --steepest" "trim x --printing" \
     "grow scene:garden --resolution 24 --bridge 1e9" "repair x --keep" "check x --bridge inf" \
     "check x --resolution 65534" "check x --json=3" "check x --crumbs -1" "check x --crumbs 1.5" "trim x --crumbs 3" "check scene:garden --pitch 1e300" \
     "check box.obj --size 1e30" "check box.obj --pitch 1e300"; do

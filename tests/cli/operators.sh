@@ -84,6 +84,33 @@ run check steep --steepest
 grep -Eq 'steepest overhang is [0-9.]+ degrees .* at z = ' stdout
 ok $? "with its place"
 
+# A post with an arm to one side, and a later one to the other that balances it.
+box post.obj 0 0 0 10 10 40
+box arm.obj -30 0 40 10 10 50
+box late.obj -30 0 50 60 10 60
+awk 'FNR == 1 { at = n } $1 == "v" { n++ } $1 == "f" { for (i = 2; i <= NF; i++) $i += at } { print }' \
+    post.obj arm.obj late.obj >lamp.obj
+exits 1 check lamp.obj --pitch 2 --printing --json
+same "$(value printing.topples) $(value printing.standing_pieces) $(value printing.floating_pieces)" "true 1 0" "it leans on the way"
+same "$(value printing.height_mm) $(value lattice.nz)" "50 30" "and worst once the first arm is there"
+awk -v m="$(value printing.margin_deg)" 'BEGIN { a = atan2(-2.5, 32.5) * 57.29577951308232; exit !(m - a < 1e-6 && a - m < 1e-6) }'
+ok $? "by the angle of its weight beyond its edge ($(value printing.margin_deg))"
+value printing.margins_deg.29 >/dev/null
+ok $? "each layer has a margin"
+run check lamp.obj --pitch 2 --printing
+grep -Eq 'topple while .* after [0-9]+ layers .* with its top at z = ' stdout
+ok $? "and a sentence says so"
+exits 0 check post.obj --pitch 2 --printing --json
+same "$(value printing.topples)" false "a post stands"
+awk -v m="$(value printing.margin_deg)" 'BEGIN { a = atan2(5, 20) * 57.29577951308232; exit !(m - a < 1e-6 && a - m < 1e-6) }'
+ok $? "worst when it is done ($(value printing.margin_deg))"
+run check post.obj --pitch 2 --printing
+grep -q 'It stands while it is printed' stdout
+ok $? "as a sentence says"
+awk '$1 == "v" && $4 > 0 { $2 += 30 } { print }' post.obj >lean.obj
+exits 0 check lean.obj --pitch 1 --angle 60
+exits 1 check lean.obj --pitch 1 --angle 60 --printing
+
 # A mesh that was smoothed is looked at again, whoever made it.
 exits 0 repair scene:garden --resolution 48 --smooth 3 -o smooth.stl --json
 value smoothed.unsupported_voxels >/dev/null
