@@ -12,14 +12,14 @@
 // check found carried, carried by matter as drawn, stays so, because every rule is monotone. From
 // the bed up, all is alive.
 //
-// The price map (price.h) is made once, for all findings; what a finding costs is then found from
-// its region down (prop.h).
+// The price map (price_map.h) is made once, for all findings; what a finding costs is then found
+// from its region down (supports.h).
 
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
-#include "support/check/prop.h"
+#include "support/check/supports.h"
 #include "support/rule/carry.h"
 #include "support/rule/terms.h"
 #include "voxel/grid.h"
@@ -45,8 +45,8 @@ typedef struct costing {
     sf_task *task;
     sfi_carrier carrier;
     sfi_front below, front; // S as if it were carried; what of the layer is
-    sfi_footings prices;
-    sfi_props props;
+    sfi_price_map prices;
+    sfi_supports supports;
     sf_run *runs, *own; // of a layer; of one region
     uint32_t *next_run;
     region *regions;
@@ -129,7 +129,7 @@ static sf_status cost_region(costing *c, uint32_t k, const region *r)
         c->own[count++] = c->runs[i];
     }
     c->costs[c->at].trim_voxels = finding->volume;
-    SF_TRY(sfi_prop(&c->props, k, c->own, count, &c->costs[c->at].grow_voxels));
+    SF_TRY(sfi_supports_find(&c->supports, k, c->own, count, &c->costs[c->at].grow_voxels));
     c->at++;
     return SF_OK;
 }
@@ -164,9 +164,9 @@ static sf_status prepare(costing *c, sf_grid *added)
     SF_TRY(sfi_carrier_create(rule, nx, ny, a, &c->carrier));
     SF_TRY(sfi_front_create(rule, nx, ny, a, &c->below));
     SF_TRY(sfi_front_create(rule, nx, ny, a, &c->front));
-    SF_TRY(sfi_footings_create(c->grid, c->terms, c->bed, c->top > 0 ? c->top - 1 : 0, a, c->task,
-                               &c->prices));
-    return sfi_props_create(&c->props, rule, &c->prices, &c->lattice, a, added);
+    SF_TRY(sfi_price_map_create(c->grid, c->terms, c->bed, c->top > 0 ? c->top - 1 : 0, a, c->task,
+                                &c->prices));
+    return sfi_supports_create(&c->supports, rule, &c->prices, &c->lattice, a, added);
 }
 
 static sf_status cost_all(costing *c)
@@ -186,8 +186,8 @@ static sf_status cost_all(costing *c)
 static void release(costing *c)
 {
     const sf_allocator *a = &c->allocator;
-    sfi_props_destroy(&c->props);
-    sfi_footings_destroy(&c->prices, a);
+    sfi_supports_destroy(&c->supports);
+    sfi_price_map_destroy(&c->prices, a);
     sfi_front_destroy(&c->front, &c->terms->rule, a);
     sfi_front_destroy(&c->below, &c->terms->rule, a);
     sfi_carrier_destroy(&c->carrier, a);

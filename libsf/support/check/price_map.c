@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prices: how many voxels must be added to have a voxel solid and carried.
+// Price map: how many voxels must be added to have a voxel solid and carried.
 //
 //     F_bed(v) = 0 if v is solid, else 1
 //     F_k(v)   = 0 if v is solid, else 1 + min over u in N_k(v): F_{k-1}(u)
@@ -21,7 +21,7 @@
 // Source: T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
 // Eurographics 2016, section 2.2, with the cost reset to zero at matter (ALGORITHMS 2.1).
 
-#include "support/check/footing.h"
+#include "support/check/price_map.h"
 
 #include "base/memory.h"
 #include "base/size.h"
@@ -31,7 +31,7 @@
 #include "support/rule/terms.h"
 #include "voxel/slice.h"
 
-sf_status sfi_footing_element(const sf_rule *rule, uint32_t k, sf_element *element)
+sf_status sfi_price_map_element(const sf_rule *rule, uint32_t k, sf_element *element)
 {
     SF_TRY(sf_rule_element(rule, k, element));
     if (rule->kind != SF_RULE_SLACK) {
@@ -102,27 +102,27 @@ static void settle_row(uint16_t *row, sf_slice solid, sf_slice forbid, sf_slice 
         uint32_t end = solid.width - x0 < 64 ? solid.width - x0 : 64;
         for (uint32_t b = 0; b < end; b++) {
             uint32_t price = row[x0 + b];
-            price += price < SFI_FOOTING_NONE - 1;
-            price = (barred >> b & 1) != 0 ? SFI_FOOTING_NONE : price;
+            price += price < SFI_PRICE_MAP_NONE - 1;
+            price = (barred >> b & 1) != 0 ? SFI_PRICE_MAP_NONE : price;
             row[x0 + b] = (uint16_t)((in >> b & 1) != 0 ? 0 : price);
         }
     }
 }
 
-static sf_status price_layer(const sfi_footings *prices, const sf_grid *grid, const sf_terms *terms,
-                             uint32_t k, rows *scratch)
+static sf_status price_layer(const sfi_price_map *prices, const sf_grid *grid,
+                             const sf_terms *terms, uint32_t k, rows *scratch)
 {
     sf_lattice lattice = sf_grid_lattice(grid);
     size_t layer_size = prices->height * prices->stride;
     uint16_t *layer = prices->values + (k - prices->bed) * layer_size;
     for (size_t i = 0; i < layer_size; i++) {
-        layer[i] = k == prices->bed ? 0 : SFI_FOOTING_NONE;
+        layer[i] = k == prices->bed ? 0 : SFI_PRICE_MAP_NONE;
     }
     if (k > prices->bed) {
         sf_element element;
-        SF_TRY(sfi_footing_element(&terms->rule, k - 1, &element));
+        SF_TRY(sfi_price_map_element(&terms->rule, k - 1, &element));
         for (uint32_t y = 0; y < lattice.ny; y++) {
-            spread_row(sfi_footing_row(prices, k - 1, y), layer, y, &lattice, prices->stride,
+            spread_row(sfi_price_map_row(prices, k - 1, y), layer, y, &lattice, prices->stride,
                        &element, scratch);
         }
     }
@@ -134,11 +134,11 @@ static sf_status price_layer(const sfi_footings *prices, const sf_grid *grid, co
     return SF_OK;
 }
 
-static sf_status price_all(const sfi_footings *prices, const sf_grid *grid, const sf_terms *terms,
+static sf_status price_all(const sfi_price_map *prices, const sf_grid *grid, const sf_terms *terms,
                            sf_task *task, rows *scratch)
 {
     for (size_t i = 0; i < scratch->wide_count; i++) {
-        scratch->wide[i] = SFI_FOOTING_NONE;
+        scratch->wide[i] = SFI_PRICE_MAP_NONE;
     }
     for (uint32_t k = prices->bed; k < prices->top; k++) {
         if (sf_task_is_cancelled(task)) {
@@ -149,12 +149,12 @@ static sf_status price_all(const sfi_footings *prices, const sf_grid *grid, cons
     return SF_OK;
 }
 
-sf_status sfi_footings_create(const sf_grid *grid, const sf_terms *terms, uint32_t bed,
-                              uint32_t top, const sf_allocator *allocator, sf_task *task,
-                              sfi_footings *prices)
+sf_status sfi_price_map_create(const sf_grid *grid, const sf_terms *terms, uint32_t bed,
+                               uint32_t top, const sf_allocator *allocator, sf_task *task,
+                               sfi_price_map *prices)
 {
     sf_lattice lattice = sf_grid_lattice(grid);
-    sfi_footings made = {NULL, 0, bed, top, lattice.ny, 0};
+    sfi_price_map made = {NULL, 0, bed, top, lattice.ny, 0};
     if (top <= bed) {
         made.top = bed;
         *prices = made;
@@ -176,14 +176,14 @@ sf_status sfi_footings_create(const sf_grid *grid, const sf_terms *terms, uint32
     sfi_free_array(allocator, scratch.wide, scratch.wide_count, sizeof *scratch.wide);
     sfi_free_array(allocator, scratch.least, scratch.least_count, sizeof *scratch.least);
     if (status != SF_OK) {
-        sfi_footings_destroy(&made, allocator);
+        sfi_price_map_destroy(&made, allocator);
         return status;
     }
     *prices = made;
     return SF_OK;
 }
 
-void sfi_footings_destroy(sfi_footings *prices, const sf_allocator *allocator)
+void sfi_price_map_destroy(sfi_price_map *prices, const sf_allocator *allocator)
 {
     sfi_free_array(allocator, prices->values, prices->count, sizeof *prices->values);
     prices->values = NULL;

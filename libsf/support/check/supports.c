@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Props: a set of voxels that carries a region, small and found fast.
+// Supports: a set of voxels that carries a region, small and found fast.
 //
 // From the region downwards, layer by layer: what needs to be carried is covered by places of the
 // layer below; those places that nothing carries yet are what needs to be carried next. It ends
@@ -25,7 +25,7 @@
 // Source: V. Chvatal, "A Greedy Heuristic for the Set-Covering Problem", 1979; counting late is M.
 // Minoux, "Accelerated greedy algorithms for maximizing submodular set functions", 1978.
 
-#include "support/check/prop.h"
+#include "support/check/supports.h"
 
 #include "base/bits.h"
 #include "base/memory.h"
@@ -107,7 +107,7 @@ static uint32_t carried_by(sf_slice need, uint32_t x, uint32_t y, const sf_eleme
 // Places
 // ---------------------------------------------------------------------------------------------
 
-static int is_better(const sfi_prop_place *a, const sfi_prop_place *b)
+static int is_better(const sfi_support_place *a, const sfi_support_place *b)
 {
     uint64_t p = (uint64_t)a->price * b->covers, q = (uint64_t)b->price * a->covers;
     if (p != q) {
@@ -123,9 +123,9 @@ static int is_better(const sfi_prop_place *a, const sfi_prop_place *b)
 }
 
 // Let place i sink to where it belongs.
-static void sink(sfi_prop_place *places, size_t count, size_t i)
+static void sink(sfi_support_place *places, size_t count, size_t i)
 {
-    sfi_prop_place moving = places[i];
+    sfi_support_place moving = places[i];
     for (;;) {
         size_t child = 2 * i + 1;
         if (child >= count) {
@@ -151,45 +151,44 @@ static uint32_t away_from(const sf_rect *region, uint32_t x, uint32_t y)
     return dx > dy ? dx : dy;
 }
 
-static int grow(sfi_props *props, void **memory, size_t *capacity, size_t need, size_t size)
+static int grow(sfi_supports *s, void **memory, size_t *capacity, size_t need, size_t size)
 {
-    return sfi_grow_array(&props->allocator, memory, capacity, need, size);
+    return sfi_grow_array(&s->allocator, memory, capacity, need, size);
 }
 
 // The places of word i of row y of layer k whose bits are given.
-static sf_status add_places(sfi_props *props, uint32_t k, uint32_t y, size_t i, uint64_t bits,
+static sf_status add_places(sfi_supports *s, uint32_t k, uint32_t y, size_t i, uint64_t bits,
                             const sf_element *e, const sf_rect *region)
 {
-    const uint16_t *prices = sfi_footing_row(props->prices, k, y);
+    const uint16_t *prices = sfi_price_map_row(s->prices, k, y);
     for (; bits != 0; bits &= bits - 1) {
         uint32_t x = (uint32_t)(64 * i) + sfi_lowest_bit(bits);
-        if (prices[x] == SFI_FOOTING_NONE) {
+        if (prices[x] == SFI_PRICE_MAP_NONE) {
             continue;
         }
-        if (!grow(props, (void **)&props->places, &props->capacity, props->count + 1,
-                  sizeof *props->places)) {
+        if (!grow(s, (void **)&s->places, &s->capacity, s->count + 1, sizeof *s->places)) {
             return SF_ERR_MEMORY;
         }
-        sfi_prop_place place = {x, y, prices[x], carried_by(props->need, x, y, e, 0),
-                                away_from(region, x, y)};
-        props->places[props->count++] = place;
+        sfi_support_place place = {x, y, prices[x], carried_by(s->need, x, y, e, 0),
+                                   away_from(region, x, y)};
+        s->places[s->count++] = place;
     }
     return SF_OK;
 }
 
 // The places around a run that are not marked as seen; `see`: mark them, else take the mark away.
-static sf_status look_around(sfi_props *props, uint32_t k, const sf_run *run, const sf_element *e,
+static sf_status look_around(sfi_supports *s, uint32_t k, const sf_run *run, const sf_element *e,
                              const sf_rect *region, int see)
 {
-    sf_rect rows = window(props->seen, run->x0, run->y, e);
+    sf_rect rows = window(s->seen, run->x0, run->y, e);
     for (uint32_t y = rows.y0; y < rows.y1; y++) {
         uint32_t w = e->half_width[y > run->y ? y - run->y : run->y - y];
-        uint32_t x0 = shrunk(run->x0, w), x1 = grown(run->x1, w, props->seen.width);
-        uint64_t *seen = sfi_slice_row(props->seen, y);
+        uint32_t x0 = shrunk(run->x0, w), x1 = grown(run->x1, w, s->seen.width);
+        uint64_t *seen = sfi_slice_row(s->seen, y);
         for (size_t i = x0 / 64; i <= (x1 - 1) / 64; i++) {
             uint64_t mask = within(i, x0, x1);
             if (see) {
-                SF_TRY(add_places(props, k, y, i, mask & ~seen[i], e, region));
+                SF_TRY(add_places(s, k, y, i, mask & ~seen[i], e, region));
                 seen[i] |= mask;
             } else {
                 seen[i] &= ~mask;
@@ -200,19 +199,19 @@ static sf_status look_around(sfi_props *props, uint32_t k, const sf_run *run, co
 }
 
 // All places of layer k that carry something of what is asked for, as a heap.
-static sf_status find_places(sfi_props *props, uint32_t k, const sf_element *e,
+static sf_status find_places(sfi_supports *s, uint32_t k, const sf_element *e,
                              const sf_rect *region)
 {
-    const sfi_prop_runs *asked = &props->asked;
-    props->count = 0;
+    const sfi_support_runs *asked = &s->asked;
+    s->count = 0;
     for (size_t i = 0; i < asked->count; i++) {
-        SF_TRY(look_around(props, k, &asked->runs[i], e, region, 1));
+        SF_TRY(look_around(s, k, &asked->runs[i], e, region, 1));
     }
     for (size_t i = 0; i < asked->count; i++) {
-        SF_TRY(look_around(props, k, &asked->runs[i], e, region, 0));
+        SF_TRY(look_around(s, k, &asked->runs[i], e, region, 0));
     }
-    for (size_t i = props->count / 2; i-- > 0;) {
-        sink(props->places, props->count, i);
+    for (size_t i = s->count / 2; i-- > 0;) {
+        sink(s->places, s->count, i);
     }
     return SF_OK;
 }
@@ -222,9 +221,9 @@ static sf_status find_places(sfi_props *props, uint32_t k, const sf_element *e,
 // ---------------------------------------------------------------------------------------------
 
 // Ask for a run of the layer below.
-static sf_status ask(sfi_props *props, sfi_prop_runs *list, sf_slice slice, const sf_run *run)
+static sf_status ask(sfi_supports *s, sfi_support_runs *list, sf_slice slice, const sf_run *run)
 {
-    if (!grow(props, (void **)&list->runs, &list->capacity, list->count + 1, sizeof *list->runs)) {
+    if (!grow(s, (void **)&list->runs, &list->capacity, list->count + 1, sizeof *list->runs)) {
         return SF_ERR_MEMORY;
     }
     list->runs[list->count++] = *run;
@@ -235,52 +234,52 @@ static sf_status ask(sfi_props *props, sfi_prop_runs *list, sf_slice slice, cons
 }
 
 // Take a place of layer k.
-static sf_status take_place(sfi_props *props, uint32_t k, const sf_element *e,
-                            const sfi_prop_place *place)
+static sf_status take_place(sfi_supports *s, uint32_t k, const sf_element *e,
+                            const sfi_support_place *place)
 {
     sf_run run = {place->x, place->x + 1, place->y, 0};
-    (void)carried_by(props->need, place->x, place->y, e, 1);
-    if (props->added != NULL) {
-        SF_TRY(sf_slice_set(sf_grid_slice(props->added, k), place->x, place->y, 1));
+    (void)carried_by(s->need, place->x, place->y, e, 1);
+    if (s->added != NULL) {
+        SF_TRY(sf_slice_set(sf_grid_slice(s->added, k), place->x, place->y, 1));
     }
-    return place->price > 1 ? ask(props, &props->next_asked, props->next, &run) : SF_OK;
+    return place->price > 1 ? ask(s, &s->next_asked, s->next, &run) : SF_OK;
 }
 
 // Take places of layer k until all is carried, and ask for what nothing carries of them. *taken is
 // how many.
-static sf_status take_places(sfi_props *props, uint32_t k, const sf_element *e, uint64_t *taken)
+static sf_status take_places(sfi_supports *s, uint32_t k, const sf_element *e, uint64_t *taken)
 {
     *taken = 0;
-    while (props->count > 0) {
-        sfi_prop_place *best = &props->places[0];
-        uint32_t covers = carried_by(props->need, best->x, best->y, e, 0);
+    while (s->count > 0) {
+        sfi_support_place *best = &s->places[0];
+        uint32_t covers = carried_by(s->need, best->x, best->y, e, 0);
         if (covers == best->covers) {
-            SF_TRY(take_place(props, k, e, best));
+            SF_TRY(take_place(s, k, e, best));
             ++*taken;
             covers = 0;
         }
         best->covers = covers;
         if (covers == 0) {
-            *best = props->places[--props->count];
+            *best = s->places[--s->count];
         }
-        if (props->count > 0) {
-            sink(props->places, props->count, 0);
+        if (s->count > 0) {
+            sink(s->places, s->count, 0);
         }
     }
     return SF_OK;
 }
 
 // Whether each voxel of a run has a place below it that can be had.
-static int can_carry(const sfi_props *props, uint32_t k, const sf_run *run, const sf_element *e)
+static int can_carry(const sfi_supports *s, uint32_t k, const sf_run *run, const sf_element *e)
 {
     for (uint32_t x = run->x0; x < run->x1; x++) {
-        sf_rect rect = window(props->need, x, run->y, e);
+        sf_rect rect = window(s->need, x, run->y, e);
         int found = 0;
         for (uint32_t row = rect.y0; row < rect.y1 && !found; row++) {
-            const uint16_t *prices = sfi_footing_row(props->prices, k, row);
+            const uint16_t *prices = sfi_price_map_row(s->prices, k, row);
             uint32_t x0, x1;
-            for (columns(props->need, x, run->y, row, e, &x0, &x1); x0 < x1 && !found; x0++) {
-                found = prices[x0] != SFI_FOOTING_NONE;
+            for (columns(s->need, x, run->y, row, e, &x0, &x1); x0 < x1 && !found; x0++) {
+                found = prices[x0] != SFI_PRICE_MAP_NONE;
             }
         }
         if (!found) {
@@ -290,11 +289,11 @@ static int can_carry(const sfi_props *props, uint32_t k, const sf_run *run, cons
     return 1;
 }
 
-static int can_carry_all(const sfi_props *props, uint32_t k, const sf_run *runs, size_t count,
+static int can_carry_all(const sfi_supports *s, uint32_t k, const sf_run *runs, size_t count,
                          const sf_element *e)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!can_carry(props, k, &runs[i], e)) {
+        if (!can_carry(s, k, &runs[i], e)) {
             return 0;
         }
     }
@@ -302,51 +301,52 @@ static int can_carry_all(const sfi_props *props, uint32_t k, const sf_run *runs,
 }
 
 // What the layer below is asked for becomes what is asked for.
-static void turn(sfi_props *props)
+static void turn(sfi_supports *s)
 {
-    sf_slice need = props->need;
-    sfi_prop_runs asked = props->asked;
-    props->need = props->next;
-    props->next = need;
-    props->asked = props->next_asked;
-    props->next_asked = asked;
-    props->next_asked.count = 0;
+    sf_slice need = s->need;
+    sfi_support_runs asked = s->asked;
+    s->need = s->next;
+    s->next = need;
+    s->asked = s->next_asked;
+    s->next_asked = asked;
+    s->next_asked.count = 0;
 }
 
 // Cover what is asked for, from layer k down.
-static sf_status prop_down(sfi_props *props, uint32_t k, const sf_rect *region, uint64_t *cost)
+static sf_status descend(sfi_supports *s, uint32_t k, const sf_rect *region, uint64_t *cost)
 {
     sf_element element;
     uint64_t sum = 0, taken;
-    for (uint32_t layer = k; props->asked.count > 0; layer--) {
-        SF_TRY(sfi_footing_element(props->rule, layer, &element));
-        SF_TRY(find_places(props, layer, &element, region));
-        SF_TRY(take_places(props, layer, &element, &taken));
-        turn(props);
+    for (uint32_t layer = k; s->asked.count > 0; layer--) {
+        SF_TRY(sfi_price_map_element(s->rule, layer, &element));
+        SF_TRY(find_places(s, layer, &element, region));
+        SF_TRY(take_places(s, layer, &element, &taken));
+        turn(s);
         sum += taken;
     }
     *cost = sum;
     return SF_OK;
 }
 
-sf_status sfi_prop(sfi_props *props, uint32_t k, const sf_run *runs, size_t count, uint64_t *cost)
+sf_status sfi_supports_find(sfi_supports *s, uint32_t k, const sf_run *runs, size_t count,
+                            uint64_t *cost)
 {
     sf_rect region = {0, 0, 0, 0};
     sf_element element;
     *cost = SF_COST_NONE;
-    if (k <= props->prices->bed) {
+    if (k <= s->prices->bed) {
         return SF_OK;
     }
-    SF_TRY(sfi_footing_element(props->rule, k - 1, &element));
-    if (!can_carry_all(props, k - 1, runs, count, &element)) {
+    SF_TRY(sfi_price_map_element(s->rule, k - 1, &element));
+    if (!can_carry_all(s, k - 1, runs, count, &element)) {
         return SF_OK;
     }
     for (size_t i = 0; i < count; i++) {
         sf_rect run = {runs[i].x0, runs[i].y, runs[i].x1, runs[i].y + 1};
         region = sfi_rect_union(region, run);
-        SF_TRY(ask(props, &props->asked, props->need, &runs[i]));
+        SF_TRY(ask(s, &s->asked, s->need, &runs[i]));
     }
-    return prop_down(props, k - 1, &region, cost);
+    return descend(s, k - 1, &region, cost);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -366,16 +366,17 @@ static sf_slice make_slice(const sf_lattice *lattice, const sf_allocator *alloca
     return slice;
 }
 
-sf_status sfi_props_create(sfi_props *props, const sf_rule *rule, const sfi_footings *prices,
-                           const sf_lattice *lattice, const sf_allocator *allocator, sf_grid *added)
+sf_status sfi_supports_create(sfi_supports *s, const sf_rule *rule, const sfi_price_map *prices,
+                              const sf_lattice *lattice, const sf_allocator *allocator,
+                              sf_grid *added)
 {
-    sfi_props made = {.rule = rule, .prices = prices, .allocator = *allocator, .added = added};
+    sfi_supports made = {.rule = rule, .prices = prices, .allocator = *allocator, .added = added};
     made.need = make_slice(lattice, allocator);
     made.next = make_slice(lattice, allocator);
     made.seen = make_slice(lattice, allocator);
-    *props = made;
+    *s = made;
     if (made.need.words == NULL || made.next.words == NULL || made.seen.words == NULL) {
-        sfi_props_destroy(props);
+        sfi_supports_destroy(s);
         return SF_ERR_MEMORY;
     }
     return SF_OK;
@@ -387,22 +388,22 @@ static void free_slice(const sf_allocator *allocator, sf_slice *slice)
     slice->words = NULL;
 }
 
-static void free_runs(const sf_allocator *allocator, sfi_prop_runs *list)
+static void free_runs(const sf_allocator *allocator, sfi_support_runs *list)
 {
     sfi_free_array(allocator, list->runs, list->capacity, sizeof *list->runs);
     list->runs = NULL;
     list->capacity = list->count = 0;
 }
 
-void sfi_props_destroy(sfi_props *props)
+void sfi_supports_destroy(sfi_supports *s)
 {
-    const sf_allocator *a = &props->allocator;
-    free_slice(a, &props->need);
-    free_slice(a, &props->next);
-    free_slice(a, &props->seen);
-    free_runs(a, &props->asked);
-    free_runs(a, &props->next_asked);
-    sfi_free_array(a, props->places, props->capacity, sizeof *props->places);
-    props->places = NULL;
-    props->capacity = 0;
+    const sf_allocator *a = &s->allocator;
+    free_slice(a, &s->need);
+    free_slice(a, &s->next);
+    free_slice(a, &s->seen);
+    free_runs(a, &s->asked);
+    free_runs(a, &s->next_asked);
+    sfi_free_array(a, s->places, s->capacity, sizeof *s->places);
+    s->places = NULL;
+    s->capacity = 0;
 }
