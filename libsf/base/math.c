@@ -3,8 +3,8 @@
 //
 // Every C library rounds tan() and atan() its own way, and a rule made from an angle must be the
 // same integers on every machine. So these two are built from + - * / alone, in a fixed order; the
-// build forbids contraction into fused multiply-adds. They are made for accuracy, not for speed:
-// both run once for a rule, never once for a voxel.
+// build forbids contraction into fused multiply-adds. They are made for accuracy, not for speed: a
+// sum of solid angles asks for one arc tangent at its end (mesh/angle.c), a rule for one tangent.
 //
 // Constants that are no double come as a pair: the nearest double and the nearest double to what
 // is left (106 bits in all). The pairs were computed with rational arithmetic from Machin's
