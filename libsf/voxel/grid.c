@@ -143,6 +143,33 @@ int sf_grid_equal(const sf_grid *a, const sf_grid *b)
     return 1;
 }
 
+sf_status sfi_grid_copy(sf_grid *to, const sf_grid *from)
+{
+    for (uint32_t k = 0; k < to->lattice.nz; k++) {
+        SF_TRY(sf_slice_copy(sf_grid_slice(to, k), sf_grid_slice(from, k)));
+    }
+    return SF_OK;
+}
+
+int sfi_grid_within(const sf_grid *part, const sf_grid *whole)
+{
+    uint32_t width = part->lattice.nx;
+    for (uint32_t k = 0; k < part->lattice.nz; k++) {
+        sf_slice a = sf_grid_slice(part, k), b = sf_grid_slice(whole, k);
+        for (uint32_t y = 0; y < a.height; y++) {
+            const uint64_t *p = sfi_slice_row(a, y), *q = sfi_slice_row(b, y);
+            uint64_t out = 0;
+            for (size_t i = 0; i < sfi_row_words(width); i++) {
+                out |= sfi_row_word(p, i, width) & ~q[i];
+            }
+            if (out != 0) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
 uint64_t sf_grid_popcount(const sf_grid *grid)
 {
     uint64_t sum = 0;

@@ -28,6 +28,7 @@
 #include "support/check/row.h"
 #include "support/repair/improve.h"
 #include "support/rule/carry.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 #define BUDGET (INT64_C(1) << 30)

@@ -23,6 +23,7 @@
 #include "support/check/row.h"
 #include "support/repair/improve.h"
 #include "support/rule/carry.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 // ---------------------------------------------------------------------------------------------
@@ -89,33 +90,6 @@ static uint64_t cost_of_lost(const sfi_job *job)
         }
     }
     return cost;
-}
-
-sf_status sfi_grid_copy(sf_grid *to, const sf_grid *from)
-{
-    for (uint32_t k = 0; k < sf_grid_lattice(to).nz; k++) {
-        SF_TRY(sf_slice_copy(sf_grid_slice(to, k), sf_grid_slice(from, k)));
-    }
-    return SF_OK;
-}
-
-int sfi_grid_within(const sf_grid *a, const sf_grid *b)
-{
-    sf_lattice lattice = sf_grid_lattice(a);
-    for (uint32_t k = 0; k < lattice.nz; k++) {
-        for (uint32_t y = 0; y < lattice.ny; y++) {
-            const uint64_t *p = sfi_slice_row(sf_grid_slice(a, k), y);
-            const uint64_t *q = sfi_slice_row(sf_grid_slice(b, k), y);
-            uint64_t out = 0;
-            for (size_t i = 0; i < sfi_row_words(lattice.nx); i++) {
-                out |= p[i] & ~q[i];
-            }
-            if (out != 0) {
-                return 0;
-            }
-        }
-    }
-    return 1;
 }
 
 // ---------------------------------------------------------------------------------------------

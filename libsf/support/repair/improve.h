@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for a cheap repair, and what is done with whole grids on the way.
+// The search for a cheap repair.
 
 #ifndef SF_SUPPORT_IMPROVE_H
 #define SF_SUPPORT_IMPROVE_H
@@ -11,10 +11,5 @@
 // grow_cost, rounds and cost; a cost of SF_REPAIR_NO_COST says that none was found.
 sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds, sf_grid **result,
                       sf_repair_report *report);
-
-sf_status sfi_grid_copy(sf_grid *to, const sf_grid *from);
-
-// Whether all of a lies in b.
-int sfi_grid_within(const sf_grid *a, const sf_grid *b);
 
 #endif

@@ -33,6 +33,7 @@
 #include "support/repair/repair.h"
 #include "support/repair/strut.h"
 #include "support/rule/carry.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 sf_repair_options sf_repair_options_default(void)

@@ -34,6 +34,7 @@
 #include "support/repair/improve.h"
 #include "support/repair/price_row.h"
 #include "support/rule/carry.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 #include "voxel/square.h"
 

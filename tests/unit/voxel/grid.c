@@ -3,6 +3,7 @@
 // given, and give everything back when a request is refused, whichever it is (TRUST 85); and what
 // it says of its voxels must be what they are.
 
+#include "voxel/grid.h"
 #include "failing_allocator.h"
 #include "test.h"
 
@@ -148,6 +149,31 @@ static void memory_runs_out_anywhere(void)
     sf_grid_destroy(source);
 }
 
+static void copies_and_parts(void)
+{
+    for (int round = 0; round < 300; round++) {
+        uint32_t nx = 1 + test_random_below(140), ny = 1 + test_random_below(4), outside = 0;
+        sf_grid *a = random_grid(nx, ny, 1u << (4 + test_random_below(8)));
+        sf_grid *b = random_grid(nx, ny, 2);
+        for (uint32_t i = 0; i < nx * ny * 5; i++) {
+            uint32_t x = i % nx, y = i / nx % ny, z = i / nx / ny;
+            outside +=
+                sf_slice_get(sf_grid_slice(a, z), x, y) && !sf_slice_get(sf_grid_slice(b, z), x, y);
+        }
+        for (uint32_t k = 0; k < 5; k++) {
+            // What lies past the width is nobody's.
+            sf_slice s = sf_grid_slice(a, k);
+            s.words[(nx - 1) / 64] |= nx % 64 != 0 ? ~UINT64_C(0) << nx % 64 : 0;
+        }
+        CHECK_EQ(sfi_grid_within(a, b), outside == 0);
+        CHECK(sfi_grid_within(a, a));
+        CHECK_EQ(sfi_grid_copy(b, a), SF_OK);
+        CHECK(sf_grid_equal(a, b));
+        sf_grid_destroy(a);
+        sf_grid_destroy(b);
+    }
+}
+
 int main(void)
 {
     TEST(a_grid_begins_empty_on_its_lattice);
@@ -155,5 +181,6 @@ int main(void)
     TEST(bounds_and_counts_are_those_of_the_voxels);
     TEST(a_clone_is_equal_and_apart);
     TEST(memory_runs_out_anywhere);
+    TEST(copies_and_parts);
     return test_finish();
 }
