@@ -10,7 +10,7 @@
 #include <string.h>
 
 typedef struct option_entry {
-    uint32_t bit;
+    uint64_t bit;
     const char *name;
     char letter;          // or 0
     const char *argument; // or NULL

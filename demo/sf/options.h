@@ -12,40 +12,38 @@
 typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MINUS_Z } axis;
 
 // Options, one bit each: which ones a verb takes, and which ones were given.
-enum {
-    OPTION_OUTPUT = 1 << 0,
-    OPTION_PITCH = 1 << 1,
-    OPTION_RESOLUTION = 1 << 2,
-    OPTION_ANGLE = 1 << 3,
-    OPTION_RULE = 1 << 4,
-    OPTION_UP = 1 << 5,
-    OPTION_UNITS = 1 << 6,
-    OPTION_SCALE = 1 << 7,
-    OPTION_SIZE = 1 << 8,
-    OPTION_BED = 1 << 9,
-    OPTION_FILL = 1 << 10,
-    OPTION_THREADS = 1 << 11,
-    OPTION_JSON = 1 << 12,
-    OPTION_QUIET = 1 << 13,
-    OPTION_SMOOTH = 1 << 14,
-    OPTION_MEMORY = 1 << 15,
-    OPTION_VIEW = 1 << 16,
-    OPTION_PIXELS = 1 << 17,
-    OPTION_BRIDGE = 1 << 18,
-    OPTION_CERTIFICATE = 1 << 19,
-    OPTION_COUNT = 1 << 20,
-    OPTION_KEEP = 1 << 21,
-    OPTION_FORBID = 1 << 22,
-    OPTION_REMOVE = 1 << 23,
-    OPTION_MODE = 1 << 24,
-    OPTION_MIN_FEATURE = 1 << 25,
-    OPTION_STEEPEST = 1 << 26,
-    OPTION_CRUMBS = 1 << 27,
-    OPTION_PRINTING = 1 << 28
-};
+#define OPTION_OUTPUT (UINT64_C(1) << 0)
+#define OPTION_PITCH (UINT64_C(1) << 1)
+#define OPTION_RESOLUTION (UINT64_C(1) << 2)
+#define OPTION_ANGLE (UINT64_C(1) << 3)
+#define OPTION_RULE (UINT64_C(1) << 4)
+#define OPTION_UP (UINT64_C(1) << 5)
+#define OPTION_UNITS (UINT64_C(1) << 6)
+#define OPTION_SCALE (UINT64_C(1) << 7)
+#define OPTION_SIZE (UINT64_C(1) << 8)
+#define OPTION_BED (UINT64_C(1) << 9)
+#define OPTION_FILL (UINT64_C(1) << 10)
+#define OPTION_THREADS (UINT64_C(1) << 11)
+#define OPTION_JSON (UINT64_C(1) << 12)
+#define OPTION_QUIET (UINT64_C(1) << 13)
+#define OPTION_SMOOTH (UINT64_C(1) << 14)
+#define OPTION_MEMORY (UINT64_C(1) << 15)
+#define OPTION_VIEW (UINT64_C(1) << 16)
+#define OPTION_PIXELS (UINT64_C(1) << 17)
+#define OPTION_BRIDGE (UINT64_C(1) << 18)
+#define OPTION_CERTIFICATE (UINT64_C(1) << 19)
+#define OPTION_COUNT (UINT64_C(1) << 20)
+#define OPTION_KEEP (UINT64_C(1) << 21)
+#define OPTION_FORBID (UINT64_C(1) << 22)
+#define OPTION_REMOVE (UINT64_C(1) << 23)
+#define OPTION_MODE (UINT64_C(1) << 24)
+#define OPTION_MIN_FEATURE (UINT64_C(1) << 25)
+#define OPTION_STEEPEST (UINT64_C(1) << 26)
+#define OPTION_CRUMBS (UINT64_C(1) << 27)
+#define OPTION_PRINTING (UINT64_C(1) << 28)
 
 typedef struct cli_options {
-    uint32_t given; // OPTION_* that were on the command line
+    uint64_t given; // OPTION_* that were on the command line
     const char *input;
     const char *output;
     const char *certificate;            // file to write, or NULL
@@ -82,7 +80,7 @@ typedef struct cli_verb {
     const char *purpose;  // one line
     const char *input;    // name of its argument, in the usage line
     int input_optional;   // whether the argument may be left out
-    uint32_t takes;       // OPTION_*
+    uint64_t takes;       // OPTION_*
     const char *examples; // whole lines, each ended
     const char *output;   // what --output names; NULL where the verb writes nothing
 } cli_verb;

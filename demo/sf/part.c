@@ -23,7 +23,7 @@
 // Reading
 // ---------------------------------------------------------------------------------------------
 
-static exit_status refuse_options(cli_job *job, uint32_t useless, const char *what)
+static exit_status refuse_options(cli_job *job, uint64_t useless, const char *what)
 {
     if ((job->options.given & useless) == 0) {
         return EXIT_GOOD;

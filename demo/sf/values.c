@@ -175,7 +175,7 @@ static int parse_fill(const char *text, cli_options *made)
 }
 
 // Files that options name.
-static int parse_file(uint32_t bit, const char *text, cli_options *made)
+static int parse_file(uint64_t bit, const char *text, cli_options *made)
 {
     const char **place = bit == OPTION_OUTPUT        ? &made->output
                          : bit == OPTION_CERTIFICATE ? &made->certificate
@@ -187,7 +187,7 @@ static int parse_file(uint32_t bit, const char *text, cli_options *made)
 }
 
 // Whole numbers, and an angle.
-static int parse_bounded(uint32_t bit, const char *text, cli_options *made)
+static int parse_bounded(uint64_t bit, const char *text, cli_options *made)
 {
     double number = 0;
     int good = 0;
@@ -221,7 +221,7 @@ static int parse_bounded(uint32_t bit, const char *text, cli_options *made)
     }
 }
 
-int values_parse(uint32_t bit, const char *text, cli_options *made)
+int values_parse(uint64_t bit, const char *text, cli_options *made)
 {
     switch (bit) {
     case OPTION_OUTPUT:

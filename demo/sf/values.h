@@ -10,7 +10,7 @@
 cli_options values_default(void);
 
 // Take one option's argument. Returns 0 when it makes no sense.
-int values_parse(uint32_t bit, const char *text, cli_options *made);
+int values_parse(uint64_t bit, const char *text, cli_options *made);
 
 // The angle for people: the round number that it was made from, where there is one.
 double values_angle_deg(const cli_options *options);
