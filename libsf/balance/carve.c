@@ -15,6 +15,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/terms.h"
+#include "voxel/grid.h"
 #include "voxel/pieces.h"
 #include "voxel/slice.h"
 
@@ -106,30 +107,6 @@ static sf_status check(const sf_grid *solid, const sf_grid *wall, const sf_terms
 // What must stay
 // ---------------------------------------------------------------------------------------------
 
-// Voxels of a that are not in b.
-static uint64_t count_missing(sf_slice a, sf_slice b)
-{
-    const sfi_kernels *kernels = sfi_kernels_get();
-    uint64_t count = 0;
-    for (uint32_t y = 0; y < a.height; y++) {
-        for (size_t i = 0; i < sfi_row_words(a.width); i++) {
-            uint64_t word = sfi_row_word(sfi_slice_row(a, y), i, a.width) &
-                            ~sfi_row_word(sfi_slice_row(b, y), i, a.width);
-            count += word == 0 ? 0 : kernels->popcount(&word, 1);
-        }
-    }
-    return count;
-}
-
-static uint64_t missing(const sf_grid *a, const sf_grid *b)
-{
-    uint64_t count = 0;
-    for (uint32_t k = 0; k < sf_grid_lattice(a).nz; k++) {
-        count += count_missing(sf_grid_slice(a, k), sf_grid_slice(b, k));
-    }
-    return count;
-}
-
 // needed |= solid AND (keep OR NOT act), where these are given.
 static void add_masks(sf_slice needed, sf_slice solid, sf_slice keep, sf_slice act)
 {
@@ -146,7 +123,7 @@ static void add_masks(sf_slice needed, sf_slice solid, sf_slice keep, sf_slice a
 static sf_status find_needed(const sf_grid *solid, const sf_grid *wall, const sf_terms *terms,
                              const sf_allocator *allocator, sf_grid **needed)
 {
-    if (missing(wall, solid) > 0) {
+    if (!sfi_grid_within(wall, solid)) {
         return SF_ERR_INFEASIBLE;
     }
     SF_TRY(sf_grid_clone(wall, allocator, needed));
@@ -231,7 +208,7 @@ static sf_status measure_balance(const sfi_carving *c, sf_carve_report *r)
 static sf_status look(const sfi_carving *c, const sf_grid *wall, const sf_grid *made,
                       sf_carve_report *r)
 {
-    if (missing(c->needed, made) > 0 || missing(made, c->solid) > 0) {
+    if (!sfi_grid_within(c->needed, made) || !sfi_grid_within(made, c->solid)) {
         return SF_ERR_INTERNAL;
     }
     sf_body solid, left;
@@ -282,8 +259,8 @@ static sf_status carve_and_look(sfi_carving *c, const sf_grid *wall, const sf_te
     if (status == SF_OK) {
         status = look(c, wall, made, &found);
     }
-    for (uint32_t k = 0; status == SF_OK && k < c->lattice.nz; k++) {
-        status = sf_slice_copy(sf_grid_slice(result, k), sf_grid_slice(made, k));
+    if (status == SF_OK) {
+        status = sfi_grid_copy(result, made);
     }
     if (status == SF_OK && report != NULL) {
         *report = found;

@@ -20,6 +20,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/terms.h"
+#include "voxel/grid.h"
 #include "voxel/rect.h"
 #include "voxel/slice.h"
 
@@ -422,7 +423,7 @@ sf_status sf_grid_drain(sf_grid *grid, const sf_terms *terms, const sf_drain_opt
         status = drain(&d);
     }
     if (status == SF_OK) {
-        status = copy_layers(grid, d.made, 0, d.plan.lattice.nz);
+        status = sfi_grid_copy(grid, d.made);
     }
     if (status == SF_OK) {
         for (uint64_t i = 0; i < d.report.drain_count - d.report.drains_dropped; i++) {

@@ -28,6 +28,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/terms.h"
+#include "voxel/grid.h"
 #include "voxel/rect.h"
 #include "voxel/slice.h"
 
@@ -277,8 +278,8 @@ sf_status sf_grid_wall(const sf_grid *solid, sf_mesh_view surface, double wall_m
     if (status == SF_OK) {
         status = find_wall(&s, &progress, task);
     }
-    for (uint32_t k = 0; status == SF_OK && k < s.lattice.nz; k++) {
-        status = sf_slice_copy(sf_grid_slice(wall, k), sf_grid_slice(s.wall, k));
+    if (status == SF_OK) {
+        status = sfi_grid_copy(wall, s.wall);
     }
     destroy(&s);
     return status;

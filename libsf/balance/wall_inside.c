@@ -12,6 +12,7 @@
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/terms.h"
+#include "voxel/grid.h"
 #include "voxel/slice.h"
 
 #include <sf/carve.h>
@@ -117,8 +118,8 @@ sf_status sf_grid_wall_inside(const sf_grid *solid, double wall_mm, const sf_all
     if (status == SF_OK) {
         status = find_wall(&s, task);
     }
-    for (uint32_t k = 0; status == SF_OK && k < s.lattice.nz; k++) {
-        status = sf_slice_copy(sf_grid_slice(wall, k), sf_grid_slice(s.wall, k));
+    if (status == SF_OK) {
+        status = sfi_grid_copy(wall, s.wall);
     }
     destroy(&s);
     return status;
