@@ -231,10 +231,12 @@ typedef struct sf_drain {
 
 /** How holes are drilled. Fill with sf_drain_options_default(), and set the diameter. */
 typedef struct sf_drain_options {
-    size_t struct_size;   /**< sizeof(sf_drain_options), set by the default */
-    double diameter_mm;   /**< a round rod of that diameter passes; above 0 */
-    uint32_t count;       /**< holes for each void, far from each other; 1 by default */
-    uint64_t void_min;    /**< voids of fewer voxels get none; 0 by default */
+    size_t struct_size; /**< sizeof(sf_drain_options), set by the default */
+    double diameter_mm; /**< a round rod of that diameter passes; above 0 */
+    uint32_t count;     /**< holes for each void, far from each other; 1 by default */
+    uint64_t void_min;  /**< voids of fewer voxels get none; 0 by default */
+    int fill; /**< 1: a void without a hole is filled, where that leaves all of it supported and
+                   the terms let matter be added; 0 (default): it stays as it is */
     const float *density; /**< of each voxel, as in sf_carve_options; NULL (default): 1 */
     sf_body body;         /**< what the whole part weighs; looked at where there are stances */
     const sf_stance *const *stances; /**< whose balance is to change least */
@@ -257,8 +259,10 @@ typedef struct sf_drain_report {
     uint64_t void_count;     /**< voids that were closed */
     uint64_t void_voxels;    /**< and their voxels */
     uint64_t drained_count;  /**< of these, voids that are open now */
-    uint64_t closed_count;   /**< and those that are not: no hole fits, none may be drilled, or they
-                                  are too small. sf_grid_voids() with an open bed names them */
+    uint64_t filled_count;   /**< voids that were filled */
+    uint64_t filled_voxels;  /**< and their voxels */
+    uint64_t closed_count;   /**< voids that are closed still: no hole fits, none may be drilled, or
+                                  they are too small. sf_grid_voids() with an open bed names them */
     uint64_t closed_voxels;  /**< and their voxels */
     uint64_t drain_count;    /**< holes */
     uint64_t drains_dropped; /**< holes without a place in the array */
@@ -278,7 +282,8 @@ typedef struct sf_drain_report {
  * there are stances (the largest of them), is least.
  *
  * With terms no hole is drilled that leaves anything unsupported that was supported before it,
- * exempt voxels included, that takes a voxel of `keep`, or one outside `act`.
+ * exempt voxels included, that takes a voxel of `keep`, or one outside `act`; and no void is filled
+ * that reaches into `forbid`, or out of `act`.
  *
  * @param grid       the part, changed in place
  * @param terms      rule, bed layer and masks; NULL: nothing needs support

@@ -144,6 +144,61 @@ static void nothing_stays_shut_or_hangs(void)
     CHECK(kept <= narrow / 8); // a hole of one voxel fits everywhere, and few places forbid it
 }
 
+// Where no hole fits, voids are filled with what was there, and what cannot be stays as it was.
+static void what_is_not_drained_is_filled(void)
+{
+    uint64_t filled = 0, closed = 0;
+    for (int i = 0; i < 96; i++) {
+        static stack before, after;
+        sf_rule rule = alive_rule_by_number(i);
+        alive_rule alive;
+        sf_terms terms = sf_terms_default();
+        sf_drain_report r;
+        sf_drain_options o = sf_drain_options_default();
+        uint64_t voxels = 0, added = 0, gone = 0;
+        terms.rule = rule;
+        alive_prepare(&alive, &rule, 14);
+        sf_grid *made = hollow_part(&alive, &terms), *was = NULL;
+        CHECK_EQ(sf_grid_clone(made, NULL, &was), SF_OK);
+        o.diameter_mm = 0.25;
+        o.fill = 1;
+        CHECK_EQ(sf_grid_drain(made, &terms, &o, NULL, NULL, &r), SF_OK);
+        stack_read(&before, was);
+        stack_read(&after, made);
+        CHECK(alive_is_free(&alive, &after, NULL, stack_bed(&after, SF_BED_AUTO)));
+        CHECK_EQ(shut_in(&after, &voxels), r.closed_count);
+        CHECK_EQ(voxels, r.closed_voxels);
+        CHECK_EQ(r.void_count, r.drained_count + r.filled_count + r.closed_count);
+        for (int j = 0; j < stack_count(&before); j++) {
+            added += (uint64_t)(!before.solid[j] && after.solid[j]);
+            gone += (uint64_t)(before.solid[j] && !after.solid[j]);
+        }
+        CHECK_EQ(added, r.filled_voxels);
+        CHECK_EQ(gone, r.removed_voxels);
+        filled += r.filled_count;
+        closed += r.closed_count;
+        if (r.filled_count > 0) { // nothing is added where nothing may be
+            sf_grid *everywhere = NULL;
+            CHECK_EQ(sf_grid_clone(was, NULL, &everywhere), SF_OK);
+            terms.forbid = everywhere;
+            for (uint32_t k = 0; k < 14; k++) {
+                sf_rect all = {0, 0, 24, 18};
+                CHECK_EQ(sf_slice_fill(sf_grid_slice(everywhere, k), all, 1), SF_OK);
+            }
+            uint64_t drained = r.drained_count;
+            CHECK_EQ(sf_grid_drain(was, &terms, &o, NULL, NULL, &r), SF_OK);
+            CHECK_EQ(r.filled_count, 0);
+            CHECK_EQ(r.drained_count, drained);
+            sf_grid_destroy(everywhere);
+        }
+        sf_grid_destroy(made);
+        sf_grid_destroy(was);
+    }
+    printf("# %llu voids were filled, %llu stay closed\n", (unsigned long long)filled,
+           (unsigned long long)closed);
+    CHECK(filled > 10 && closed < filled);
+}
+
 // ---------------------------------------------------------------------------------------------
 // Made to measure
 // ---------------------------------------------------------------------------------------------
@@ -333,6 +388,8 @@ static void failures_change_nothing(void)
     sf_drain_options o = sf_drain_options_default();
     o.diameter_mm = 1;
     o.count = 2;
+    o.void_min = 100;
+    o.fill = 1;
     o.drains = drains;
     o.drain_capacity = 4;
     sf_grid *was = simple_part();
@@ -407,6 +464,7 @@ static void nonsense_is_refused(void)
 int main(void)
 {
     TEST(nothing_stays_shut_or_hangs);
+    TEST(what_is_not_drained_is_filled);
     TEST(a_rod_passes);
     TEST(voids_drain_into_each_other);
     TEST(aslant_where_straight_is_impossible);
