@@ -2,8 +2,8 @@
 // Drain holes as callers meet them: arguments, memory, and a part that changes at once or not at
 // all. What is done is drainer.c's.
 //
-// What the part did not support before the first hole counts as exempt: it is not made worse. And
-// its bed stays the layer that it was, even where a hole takes all that rested on it.
+// What nothing carried in the part before the first hole counts as exempt: it is not made worse.
+// And its bed stays the layer that it was, even where a hole takes all that rested on it.
 
 #include "balance/apart.h"
 #include "balance/drainer.h"
@@ -64,11 +64,7 @@ static sf_status settle_terms(sfi_drainer *d, const sf_grid *grid, const sf_term
     }
     SF_TRY(sf_rule_measure(&terms->rule, &ground.lattice, &d->plan.angles));
     SF_TRY(sf_grid_create(&ground.lattice, &d->allocator, &d->hanging));
-    sf_status status =
-        sf_grid_feasible(grid, grid, &d->terms, &d->allocator, NULL, d->hanging, NULL);
-    if (status != SF_OK && status != SF_ERR_INFEASIBLE) {
-        return status;
-    }
+    SF_TRY(sf_grid_unsupported(grid, &d->terms, &d->allocator, NULL, d->hanging, NULL));
     for (uint32_t k = 0; terms->exempt != NULL && k < ground.lattice.nz; k++) {
         sf_slice hanging = sf_grid_slice(d->hanging, k);
         SF_TRY(sf_slice_or(hanging, hanging, sf_grid_slice(terms->exempt, k)));

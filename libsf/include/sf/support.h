@@ -315,6 +315,31 @@ SF_API SF_CHECKED sf_status sf_grid_check(const sf_grid *grid, const sf_check_op
                                           const sf_allocator *allocator, sf_task *task,
                                           sf_check_report *report, size_t *finding_count);
 
+/**
+ * Which voxels of a shape nothing carries, as it is drawn: those that a check counts, and all of
+ * what lies below the bed.
+ *
+ * What rests on one of them counts as carried, under slack with no reach to spare. With these
+ * exempt, and what the terms exempt already, the shape is support-free.
+ *
+ * @param grid         the shape
+ * @param terms        rule, bed layer and exempt voxels, which count as carried; the other masks
+ *                     are not looked at
+ * @param allocator    for working memory: a grid, two slices, under slack 34, with bridges three
+ *                     more; NULL for the C library's
+ * @param task         NULL, or progress per slice; a cancel is honoured at every slice
+ * @param unsupported  of the same counts, and neither the shape nor a mask: set to these voxels
+ * @param count        how many; may be NULL
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, terms without their struct_size, a bed layer that
+ * the grid has not, a rule that does not serve all its layers, one grid given twice; SF_ERR_SHAPE:
+ * grids that differ in counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost a step of the rule for each layer.   @threads any that write distinct grids.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_grid_unsupported(const sf_grid *grid, const sf_terms *terms,
+                                                const sf_allocator *allocator, sf_task *task,
+                                                sf_grid *unsupported, uint64_t *count);
+
 /** How steep the overhangs of a shape are. */
 typedef struct sf_steepest {
     double angle_rad; /**< from the vertical: the least angle that it is support-free for; or, where
