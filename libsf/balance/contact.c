@@ -164,16 +164,20 @@ sfi_edge sfi_edge_get(const sf_stance *s, size_t i)
 // Contacts
 // ---------------------------------------------------------------------------------------------
 
-void sfi_mark_vertices(sf_mesh_view mesh, const double low[3], const double high[3], uint8_t *marks)
+// What a vertex is: used by no triangle, used but outside of a box, used and inside of it.
+enum { MARK_NONE = 0, MARK_OUTSIDE = 1, MARK_INSIDE = 2 };
+
+static void mark_vertices(sf_mesh_view mesh, const double low[3], const double high[3],
+                          uint8_t *marks)
 {
-    memset(marks, SFI_MARK_NONE, mesh.vertex_count);
+    memset(marks, MARK_NONE, mesh.vertex_count);
     for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
         const double *p = mesh.vertices + 3 * (size_t)mesh.triangles[i];
         int in = 1;
         for (int d = 0; d < 3; d++) {
             in = in && low[d] <= p[d] && p[d] <= high[d];
         }
-        marks[mesh.triangles[i]] = in ? SFI_MARK_INSIDE : SFI_MARK_OUTSIDE;
+        marks[mesh.triangles[i]] = in ? MARK_INSIDE : MARK_OUTSIDE;
     }
 }
 
@@ -186,13 +190,13 @@ sf_status sfi_gather(sf_mesh_view mesh, const double low[3], const double high[3
     if (marks == NULL) {
         return SF_ERR_MEMORY;
     }
-    sfi_mark_vertices(mesh, low, high, marks);
+    mark_vertices(mesh, low, high, marks);
     for (size_t i = 0; i < mesh.vertex_count; i++) {
-        found += marks[i] == SFI_MARK_INSIDE;
+        found += marks[i] == MARK_INSIDE;
     }
     made = sfi_alloc_array(allocator, found, 3 * sizeof *made);
     for (size_t i = 0, at = 0; made != NULL && i < mesh.vertex_count; i++) {
-        if (marks[i] == SFI_MARK_INSIDE) {
+        if (marks[i] == MARK_INSIDE) {
             memcpy(made + 3 * at++, mesh.vertices + 3 * i, 3 * sizeof *made);
         }
     }
@@ -213,8 +217,8 @@ static sf_status find_contacts(sf_stance *s, sf_mesh_view mesh, const uint8_t *m
     size_t count = 0;
     for (size_t i = 0; i < mesh.vertex_count; i++) {
         double height = sfi_dot(s->options.up, mesh.vertices + 3 * i);
-        bottom = marks[i] != SFI_MARK_NONE && height < bottom ? height : bottom;
-        lowest = marks[i] == SFI_MARK_INSIDE && height < lowest ? height : lowest;
+        bottom = marks[i] != MARK_NONE && height < bottom ? height : bottom;
+        lowest = marks[i] == MARK_INSIDE && height < lowest ? height : lowest;
     }
     if (lowest == INFINITY) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
@@ -225,8 +229,7 @@ static sf_status find_contacts(sf_stance *s, sf_mesh_view mesh, const uint8_t *m
     for (int pass = 0; pass < 2; pass++) {
         count = 0;
         for (size_t i = 0; i < mesh.vertex_count; i++) {
-            if (marks[i] == SFI_MARK_INSIDE &&
-                sfi_dot(s->options.up, mesh.vertices + 3 * i) <= limit) {
+            if (marks[i] == MARK_INSIDE && sfi_dot(s->options.up, mesh.vertices + 3 * i) <= limit) {
                 if (pass == 1) {
                     s->contacts[count] = (uint32_t)i;
                 }
@@ -268,7 +271,7 @@ sf_status sfi_stance_touch(sf_stance *s, sf_mesh_view mesh, sf_fault *fault)
     if (marks == NULL) {
         return SF_ERR_MEMORY;
     }
-    sfi_mark_vertices(mesh, s->options.region_low_mm, s->options.region_high_mm, marks);
+    mark_vertices(mesh, s->options.region_low_mm, s->options.region_high_mm, marks);
     sf_status status = find_contacts(s, mesh, marks, fault);
     sfi_free_array(&s->allocator, marks, mesh.vertex_count, sizeof *marks);
     return status == SF_OK ? make_polygon(s, mesh) : status;

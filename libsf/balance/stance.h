@@ -46,11 +46,6 @@ int sfi_is_direction(const double v[3]);
 // Check a mesh, and find the lower corner and the extent of its box.
 sf_status sfi_mesh_box(sf_mesh_view mesh, double low[3], double extent[3], sf_fault *fault);
 
-// What a vertex is: used by no triangle, used but outside of a box, used and inside of it.
-enum { SFI_MARK_NONE = 0, SFI_MARK_OUTSIDE = 1, SFI_MARK_INSIDE = 2 };
-void sfi_mark_vertices(sf_mesh_view mesh, const double low[3], const double high[3],
-                       uint8_t *marks);
-
 // The vertices inside of a box, x, y, z after each other; at least one. SF_ERR_MEMORY.
 sf_status sfi_gather(sf_mesh_view mesh, const double low[3], const double high[3],
                      const sf_allocator *allocator, double **points, size_t *count);
