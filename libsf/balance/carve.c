@@ -9,17 +9,17 @@
 #include "balance/carve.h"
 
 #include "balance/bases.h"
+#include "balance/forest.h"
 #include "balance/plane.h"
 #include "base/bits.h"
 #include "base/memory.h"
+#include "base/size.h"
 #include "base/status.h"
 #include "base/task.h"
 #include "support/rule/terms.h"
 #include "voxel/grid.h"
 #include "voxel/pieces.h"
 #include "voxel/slice.h"
-
-#include <sf/preserve.h>
 
 #include <math.h>
 #include <string.h>
@@ -31,7 +31,7 @@ sf_carve_options sf_carve_options_default(void)
     options.struct_size = sizeof options;
     options.mode = SF_CARVE_SUPPORT_FREE;
     options.goal = SF_CARVE_ENOUGH;
-    options.strut_width_vx = 1;
+    options.strut_width_vx = 2;
     options.rounds_max = 64;
     return options;
 }
@@ -49,7 +49,8 @@ static int options_are_good(const sf_carve_options *o)
     return o->struct_size >= sizeof *o && finite &&
            (o->mode == SF_CARVE_SUPPORT_FREE || o->mode == SF_CARVE_PLANE) &&
            (o->goal == SF_CARVE_ENOUGH || o->goal == SF_CARVE_NEAREST ||
-            o->goal == SF_CARVE_DEEPEST) &&
+            o->goal == SF_CARVE_DEEPEST ||
+            (o->goal == SF_CARVE_LIGHTEST && o->mode == SF_CARVE_SUPPORT_FREE)) &&
            o->strut_width_vx >= 1 && o->strut_width_vx <= SF_REACH_MAX;
 }
 
@@ -230,16 +231,57 @@ static sf_status look(const sfi_carving *c, const sf_grid *wall, const sf_grid *
 // Carving
 // ---------------------------------------------------------------------------------------------
 
+// The half-spaces of all bases, one after the other.
+static sf_status collect_halfspaces(const sfi_carving *c, sf_halfspace **halfspaces, size_t *count)
+{
+    *halfspaces = NULL;
+    *count = 0;
+    for (size_t i = 0; i < c->base_count; i++) {
+        if (!sfi_size_add(*count, c->bases[i].count, count)) {
+            return SF_ERR_OVERFLOW;
+        }
+    }
+    if (*count == 0) {
+        return SF_OK;
+    }
+    *halfspaces = sfi_alloc_array(&c->allocator, *count, sizeof **halfspaces);
+    if (*halfspaces == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    size_t at = 0;
+    for (size_t i = 0; i < c->base_count; i++) {
+        for (size_t e = 0; e < c->bases[i].count; e++) {
+            (*halfspaces)[at++] = c->bases[i].halfspaces[e];
+        }
+    }
+    return SF_OK;
+}
+
+static sf_status carve_support_free(const sfi_carving *c, const sf_terms *terms, sf_grid *made)
+{
+    const sf_carve_options *o = c->options;
+    sf_halfspace *halfspaces;
+    size_t count;
+    SF_TRY(collect_halfspaces(c, &halfspaces, &count));
+    sfi_forest_options options = {.goal = o->goal == SF_CARVE_DEEPEST    ? SFI_FOREST_DEEPEST
+                                          : o->goal == SF_CARVE_LIGHTEST ? SFI_FOREST_LEAST
+                                                                         : SFI_FOREST_MOST,
+                                  .halfspaces = halfspaces,
+                                  .count = count,
+                                  .density = o->density,
+                                  .rest = o->rest,
+                                  .strut_width = o->strut_width_vx};
+    sf_status status =
+        sfi_carve_forest(c->solid, c->needed, terms, &options, &c->allocator, c->task, made, NULL);
+    sfi_free_array(&c->allocator, halfspaces, count, sizeof *halfspaces);
+    return status;
+}
+
 static sf_status carve(const sfi_carving *c, const sf_terms *terms, sf_grid *made,
                        sf_carve_report *r)
 {
-    if (c->options->mode == SF_CARVE_PLANE) {
-        return sfi_carve_plane(c, made, &r->rounds);
-    }
-    if (c->base_count > 0) {
-        return SF_ERR_UNSUPPORTED;
-    }
-    return sf_grid_complete(c->solid, c->needed, terms, &c->allocator, c->task, made);
+    return c->options->mode == SF_CARVE_PLANE ? sfi_carve_plane(c, made, &r->rounds)
+                                              : carve_support_free(c, terms, made);
 }
 
 static sf_status carve_and_look(sfi_carving *c, const sf_grid *wall, const sf_terms *terms,

@@ -115,10 +115,13 @@ typedef enum sf_carve_mode {
 /** When there is enough carved. */
 typedef enum sf_carve_goal {
     SF_CARVE_ENOUGH = 0,  /**< as much matter stays as can while every half-space holds; where they
-                               cannot all hold, as SF_CARVE_NEAREST */
+                               cannot all hold, as SF_CARVE_NEAREST; support-free: _DEEPEST */
     SF_CARVE_NEAREST = 1, /**< the paper's: least distance to the targets, each of them the place of
-                               the safe region that is nearest to the centre of mass */
-    SF_CARVE_DEEPEST = 2  /**< largest least slack: as far inside all half-spaces as can be */
+                               the safe region that is nearest to the centre of mass. Support-free:
+                               as SF_CARVE_ENOUGH */
+    SF_CARVE_DEEPEST = 2, /**< largest least slack: as far inside all half-spaces as can be */
+    SF_CARVE_LIGHTEST = 3 /**< support-free: as little matter stays as can while every half-space
+                               holds; where they cannot all hold, as SF_CARVE_DEEPEST */
 } sf_carve_goal;
 
 /** How to carve. Fill with sf_carve_options_default(). */
@@ -132,12 +135,13 @@ typedef struct sf_carve_options {
     const sf_stance *const *stances; /**< where the centre of mass may lie: in all of them */
     size_t stance_count;             /**< 0 (default): as much is carved as is allowed */
     uint32_t strut_width_vx; /**< support-free: struts are squares of that many voxels where there
-                                  is room, 1 to SF_REACH_MAX; 1 by default */
+                                  is room, 1 to SF_REACH_MAX; 2 by default */
     uint32_t rounds_max;     /**< plane: most rounds, each with a plane of its own; 64 by default */
 } sf_carve_options;
 
 /**
- * Options of carving: support-free, as little as is enough, density 1, no stances, no least width.
+ * Options of carving: support-free, as little as is enough, density 1, no stances, struts two
+ * voxels wide.
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
@@ -170,9 +174,13 @@ typedef struct sf_carve_report {
 /**
  * Carve a solid: result holds the wall, lies within the solid, and weighs as the stances need.
  *
- * Support-free: what is supported in the solid, exempt voxels included, is supported in the result;
- * so the solid must be support-free but for exempt voxels. Without stances as much comes out as a
- * support-free completion of the wall allows.
+ * Support-free: what is supported in the solid, exempt voxels included, is supported in the result,
+ * under the whole rule; what hangs in the solid may hang on, and counts as exempt. Struts of
+ * strut_width_vx stand under what the wall does not carry itself; single voxels where no square
+ * fits, and all of them where under slack a step reaches less than a voxel along x or y. Without
+ * stances as little stays as is found. With stances, by the goal: the result is close to the best
+ * that any carving can do, and what it misses is the price of the struts (docs/balance.md has
+ * figures). Where the wall is closed around the inside, no piece floats.
  *
  * Plane, after the paper: with c the centre of mass and, for each stance with up u, c* the place
  * nearest to it among those that are safe at its height, voxels that are not wall are sorted by
@@ -195,7 +203,8 @@ typedef struct sf_carve_report {
  *                   outside `act` is removed. NULL in mode plane, which looks at no terms
  * @param options    NULL for the default
  * @param allocator  for working memory: NULL for the C library's. Plane: a grid, and 24 bytes for
- *                   each voxel that may be carved
+ *                   each voxel that may be carved. Support-free: a dozen grids, and 25 bytes for
+ *                   each voxel of the solid
  * @param task       NULL, or progress; a cancel is honoured at least at every layer or round
  * @param result     of the solid's counts, another grid than all others
  * @param report     what was done; may be NULL
@@ -203,9 +212,11 @@ typedef struct sf_carve_report {
  * struct_size or with values outside their range, a density of a solid voxel that is not above 0 or
  * not finite, a body without mass, no terms in mode support-free or terms that do not serve the
  * solid, one grid given twice; SF_ERR_SHAPE: grids that differ in counts; SF_ERR_INFEASIBLE: the
- * wall is not within the solid, or, support-free, the solid is not support-free; SF_ERR_OVERFLOW;
- * SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * wall is not within the solid; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED;
+ * SF_ERR_INTERNAL: the result failed its check.
  * @cost plane: for each round a sort in linear time, and a step for each voxel and half-space.
+ * Support-free: some 20 sweeps over the solid's voxels without stances, and two more for each of
+ * some 10 to 60 questions with them: 82,500 voxels in 0.1 s, 808,000 in half a second.
  * @threads any that write distinct results.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
  * for 3D Fabrication", SIGGRAPH 2013, section 4 and equations 7 and 8.
