@@ -99,7 +99,7 @@ static exit_status refuse(cli_job *job, const sf_grid *culprits, sf_operation op
 }
 
 // Squares of at least that many mm each way; of unequal pixels the smaller one decides.
-static exit_status width_in_voxels(cli_job *job, const part *p, uint32_t *width)
+exit_status change_width(cli_job *job, const part *p, uint32_t *width)
 {
     sf_lattice lattice = sf_grid_lattice(p->grid);
     double pitch = fmin(lattice.pitch_x_mm, lattice.pitch_y_mm);
@@ -186,8 +186,42 @@ static exit_status place_order(cli_job *job, const part *p, const masks *m, orde
         return status == SF_OK ? EXIT_GOOD
                                : job_fail_call(job, status, NULL, "preserve", EXIT_RESOURCE);
     }
-    return job->options.min_feature_mm > 0 ? width_in_voxels(job, p, &o->min_feature_vx)
-                                           : EXIT_GOOD;
+    return job->options.min_feature_mm > 0 ? change_width(job, p, &o->min_feature_vx) : EXIT_GOOD;
+}
+
+exit_status change_begin(cli_job *job, const part *p, sf_terms *terms, change *made)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    uint64_t count = 0;
+    memset(made, 0, sizeof *made);
+    made->operation = SF_OPERATION_PRESERVE;
+    sf_status status = sf_grid_create(&lattice, NULL, &made->accepted);
+    if (status == SF_OK) {
+        status = sf_grid_unsupported(p->grid, terms, NULL, &job->task, made->accepted, &count);
+    }
+    if (status == SF_OK && count > 0) {
+        terms->exempt = made->accepted;
+    } else {
+        sf_grid_destroy(made->accepted);
+        made->accepted = NULL;
+    }
+    if (status == SF_OK) {
+        status = sf_grid_clone(p->grid, NULL, &made->after);
+    }
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, NULL, "the part", EXIT_RESOURCE);
+}
+
+exit_status change_end(cli_job *job, const part *p, const sf_terms *terms, double start,
+                       change *made)
+{
+    exit_status status = look_again(job, p, terms, made);
+    if (status == EXIT_GOOD) {
+        compare(p->grid, made);
+        made->cost = made->added_voxels + made->removed_voxels;
+        made->seconds = job_seconds(job) - start;
+    }
+    return status;
 }
 
 exit_status change_make(cli_job *job, const part *p, const masks *m, sf_operation operation,
@@ -201,14 +235,10 @@ exit_status change_make(cli_job *job, const part *p, const masks *m, sf_operatio
     if (status == EXIT_GOOD) {
         status = apply(job, p, &o, made);
     }
+    uint64_t cost = made->cost;
     if (status == EXIT_GOOD) {
-        status = look_again(job, p, &o.terms, made);
-    }
-    if (status == EXIT_GOOD) {
-        compare(p->grid, made);
-        made->cost =
-            made->cost == UINT64_MAX ? made->added_voxels + made->removed_voxels : made->cost;
-        made->seconds = job_seconds(job) - start;
+        status = change_end(job, p, &o.terms, start, made);
+        made->cost = cost == UINT64_MAX ? made->cost : cost;
     }
     return status;
 }

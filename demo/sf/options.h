@@ -41,6 +41,11 @@ typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MIN
 #define OPTION_STEEPEST (UINT64_C(1) << 26)
 #define OPTION_CRUMBS (UINT64_C(1) << 27)
 #define OPTION_PRINTING (UINT64_C(1) << 28)
+#define OPTION_WALL (UINT64_C(1) << 29)
+#define OPTION_DRAIN (UINT64_C(1) << 30)
+#define OPTION_DENSITY (UINT64_C(1) << 31)
+#define OPTION_PICTURE (UINT64_C(1) << 32)
+#define OPTION_CAVITY (UINT64_C(1) << 33)
 
 typedef struct cli_options {
     uint64_t given; // OPTION_* that were on the command line
@@ -48,6 +53,8 @@ typedef struct cli_options {
     const char *output;
     const char *certificate;            // file to write, or NULL
     const char *keep, *forbid, *remove; // meshes of masks, or NULL
+    const char *cavity, *picture;       // files to write, or NULL
+    const char *density;                // a number or a file, or NULL
     double pitch_mm[3];                 // x, y, layer
     uint32_t resolution;
     double angle_rad; // of the command line or of a stack; values_angle_deg() shows it
@@ -66,8 +73,10 @@ typedef struct cli_options {
     double memory_mib;
     double azimuth_deg, elevation_deg; // where the camera stands
     uint32_t pixels[2];
-    uint32_t count;        // how many answers
-    double min_feature_mm; // 0: none
+    uint32_t count;           // how many answers
+    double min_feature_mm;    // 0: none
+    double wall_mm, drain_mm; // 0: not given
+    uint32_t drain_count;     // holes for each void
     sf_preserve_mode mode;
     int steepest;
     uint32_t crumbs; // places of at most that many voxels are not named

@@ -73,8 +73,7 @@ exit_status output_check(cli_job *job, int mesh_allowed)
 // Meshes
 // ---------------------------------------------------------------------------------------------
 
-// What smoothing did to support: voxelise what will be written, and look.
-static exit_status report_smoothing(cli_job *job, const part *p, const sf_mesh *mesh,
+exit_status output_look_at_smoothed(cli_job *job, const part *p, const sf_mesh *mesh,
                                     const char *key)
 {
     sf_grid *again = NULL;
@@ -117,7 +116,7 @@ static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, c
     }
     exit_status checked = EXIT_GOOD;
     if (how.smooth_passes > 0) {
-        checked = report_smoothing(job, p, *mesh, key);
+        checked = output_look_at_smoothed(job, p, *mesh, key);
     }
     sf_transform back = part_to_input(job);
     if (checked == EXIT_GOOD && sf_mesh_transform(*mesh, &back) != SF_OK) {

@@ -22,6 +22,11 @@ exit_status output_check(cli_job *job, int mesh_allowed);
 // the attempt. NULL can.
 exit_status output_probe(cli_job *job, const char *path, output_kind kind);
 
+// What smoothing did to support: voxelise a mesh that will be written, in build axes, and look. An
+// object of the name `key` says it.
+exit_status output_look_at_smoothed(cli_job *job, const part *p, const sf_mesh *mesh,
+                                    const char *key);
+
 // Write a mesh as it is.
 exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path);
 

@@ -93,6 +93,16 @@ static int parse_bridge(const char *text, cli_options *made)
            made->bridge_mm[1] >= 0;
 }
 
+static int parse_drain(const char *text, cli_options *made)
+{
+    double numbers[2] = {0, 1};
+    int good = parse_numbers(text, numbers, 1, 2) > 0 && numbers[0] > 0 && numbers[1] >= 1 &&
+               numbers[1] <= 1000 && numbers[1] == floor(numbers[1]);
+    made->drain_mm = good ? numbers[0] : 0;
+    made->drain_count = good ? (uint32_t)numbers[1] : 0;
+    return good;
+}
+
 static int parse_pixels(const char *text, cli_options *made)
 {
     double numbers[2];
@@ -181,6 +191,9 @@ static int parse_file(uint64_t bit, const char *text, cli_options *made)
                          : bit == OPTION_CERTIFICATE ? &made->certificate
                          : bit == OPTION_KEEP        ? &made->keep
                          : bit == OPTION_FORBID      ? &made->forbid
+                         : bit == OPTION_CAVITY      ? &made->cavity
+                         : bit == OPTION_PICTURE     ? &made->picture
+                         : bit == OPTION_DENSITY     ? &made->density
                                                      : &made->remove;
     *place = text;
     return text[0] != '\0';
@@ -229,11 +242,18 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
     case OPTION_KEEP:
     case OPTION_FORBID:
     case OPTION_REMOVE:
+    case OPTION_CAVITY:
+    case OPTION_PICTURE:
+    case OPTION_DENSITY:
         return parse_file(bit, text, made);
     case OPTION_PITCH:
         return parse_pitch(text, made);
     case OPTION_BRIDGE:
         return parse_bridge(text, made);
+    case OPTION_DRAIN:
+        return parse_drain(text, made);
+    case OPTION_WALL:
+        return parse_positive(text, &made->wall_mm);
     case OPTION_RULE:
         return parse_rule(text, made);
     case OPTION_MODE:

@@ -60,6 +60,14 @@ const verb_entry verbs_table[] = {
       "  sf preserve layers --remove box.stl --mode irredundant -o carved\n",
       CHANGE_OUTPUT},
      verb_preserve},
+    {{"hollow", "take the inside out, so that what printed still does", "FILE", 0,
+      CHANGE_OPTIONS | OPTION_WALL | OPTION_DRAIN | OPTION_MIN_FEATURE | OPTION_KEEP |
+          OPTION_DENSITY | OPTION_CAVITY | OPTION_PICTURE | OPTION_VIEW | OPTION_PIXELS,
+      "  sf hollow part.stl --wall 2 -o hollow.stl\n"
+      "  sf hollow part.stl --wall 2 --drain 3 -o layers --certificate layers.json\n"
+      "  sf hollow part.stl --wall 2 --drain 3,2 --cavity cavity.stl --picture cut.png\n",
+      CHANGE_OUTPUT},
+     verb_hollow},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
       "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},

@@ -8,7 +8,7 @@ run slice scene:garden --resolution 24 -o layers
 box box.obj 10 10 0 30 30 20
 run slice box.obj --pitch 2 -o box
 run trim box -o box.stl
-for verb in run info check trim grow repair preserve slice orient render; do
+for verb in run info check trim grow repair preserve hollow slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
@@ -28,7 +28,7 @@ for verb in run info check trim grow repair preserve slice orient render; do
         esac
         case $line in *--pitch\ 0.05*) line="$line --size 4" ;; esac
         case $line in *--pitch\ 0.1*) line="$line --size 8" ;; esac
-        case $line in *render* | run*) extra="$extra --pixels 96,96" ;; esac
+        case $line in *render* | run* | *--picture*) extra="$extra --pixels 96,96" ;; esac
         # shellcheck disable=SC2086
         run $line $extra
         [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; } ||

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Meshes of a hollow part.
+
+#ifndef DEMO_SF_HOLLOW_MESH_H
+#define DEMO_SF_HOLLOW_MESH_H
+
+#include "cavity.h"
+
+// Write the part as a mesh: the input's own surface, and that of the cavity inside it. Where holes
+// go through the surface, or the input has none that is closed, all of it is the voxels'.
+exit_status hollow_save(cli_job *job, const part *p, const cavity *c, const char *path);
+
+// Write the cavity alone, holes included, as a body that is to be taken from the input. Holes go
+// on beyond the part by a voxel, so that they cut through its surface.
+exit_status hollow_save_cavity(cli_job *job, const part *p, const cavity *c, const char *path);
+
+#endif
