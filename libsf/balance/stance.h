@@ -58,7 +58,8 @@ sf_status sfi_stand_bound(sf_stance *stance);
 sf_status sfi_hang_bound(sf_stance *stance);
 sf_status sfi_rock_bound(sf_stance *stance, sf_mesh_view mesh, sf_fault *fault);
 
-// The margin, the edge, and whether it stands.
+// The margin, the edge, and whether it stands; `safe` is what the half-spaces say, and may only be
+// taken back.
 void sfi_stand_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
 void sfi_hang_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);
 sf_status sfi_rock_judge(const sf_stance *stance, const double com[3], sf_stance_verdict *verdict);

@@ -18,8 +18,9 @@
 // the same in every direction, so it is measured to the point itself.
 //
 // Where the body reaches below the ground, off the table's edge, c may do so too, and h is
-// negative: then it must also lie above the ground. A toy that balances on a point with c below it
-// is one that hangs.
+// negative: then it must also lie above the ground, which is a half-space of its own. (Elsewhere no
+// centre of mass can be there; one that is asked about is not safe.) A toy that balances on a point
+// with c below it is one that hangs.
 //
 // Source: R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand", 2013, section
 // 3; the height included.
@@ -81,4 +82,5 @@ void sfi_stand_judge(const sf_stance *s, const double com[3], sf_stance_verdict 
         }
     }
     verdict->stands = verdict->margin_rad >= 0;
+    verdict->safe = verdict->safe && height >= 0;
 }

@@ -228,7 +228,8 @@ typedef struct sf_stance_verdict {
                                rocking: an edge of what it comes to rest on */
     int stands;           /**< standing: margin_rad >= 0; hanging, rocking: it comes to rest within
                                the tolerance, hanging with the centre of mass not in the point */
-    int safe;             /**< it is in all half-spaces, to a billionth of the diagonal */
+    int safe; /**< it is in all half-spaces, to a billionth of the diagonal; standing, it
+                   also lies above the ground */
 } sf_stance_verdict;
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Why: nonsense is refused with a sentence, and a call that fails leaves everything as it was (P2):
 // every option out of range, every missing pointer, too little room, memory that ends at the k-th
-// request.
+// request. Bodies without width and centres of mass outside of them get an answer all the same.
 
 #include "failing_allocator.h"
 #include "turn.h"
@@ -155,6 +155,50 @@ static void questions_that_are_none(void)
     sf_stance_destroy(stance);
 }
 
+// Points on a coarse lattice, many in one place, line or plane; centres of mass anywhere, in the
+// hull or not: there is always an answer, and what is safe stands.
+static void strange_bodies(void)
+{
+    static soup s;
+    int safe[3] = {0, 0, 0};
+    for (int i = 0; i < 6000; i++) {
+        int kind = i % 3, tall = i % 4 > 0;
+        sf_stance_options options = sf_stance_options_default();
+        sf_stance *stance = NULL;
+        sf_stance_verdict v;
+        s.count = 0;
+        for (int j = 1 + (int)test_random_below(12); j > 0; j--) {
+            soup_add(&s, test_random_below(4), test_random_below(3),
+                     tall ? test_random_below(4) : 0);
+        }
+        options.kind = (sf_stance_kind)kind;
+        options.gamma_rad = 0.2 * test_random_unit();
+        options.tolerance_rad = 0.01 + 0.3 * test_random_unit();
+        options.range_rad = options.tolerance_rad + 0.01 + 0.5 * test_random_unit();
+        options.point_mm[2] = 3;
+        options.lever_mm = 0.01;
+        options.region_low_mm[0] = i % 7 == 0 ? 1 : -INFINITY;
+        if (i % 5 == 0) {
+            random_direction(options.up);
+        }
+        sf_status status = sf_stance_create(soup_view(&s), &options, NULL, &stance, NULL);
+        CHECK(status == SF_OK || status == SF_ERR_ARGUMENT);
+        for (int k = 0; k < 10 && status == SF_OK; k++) {
+            double size = k < 8 ? 4 : 1e9, com[3];
+            for (int d = 0; d < 3; d++) {
+                com[d] = size * (k % 2 ? 0.25 * test_random_below(5) : test_random_unit());
+            }
+            CHECK_EQ(sf_stance_judge(stance, com, &v), SF_OK);
+            CHECK(isfinite(v.margin_rad) && fabs(v.margin_rad) <= 3.2 && isfinite(v.slack_mm));
+            // What lies in a corner that it rocks on is in balance everywhere, or nowhere.
+            CHECK(!v.safe || v.stands || (kind == SF_STANCE_ROCK && v.slack_mm < 1e-7));
+            safe[kind] += v.safe;
+        }
+        sf_stance_destroy(stance);
+    }
+    CHECK(safe[0] > 100 && safe[1] > 100 && safe[2] > 10);
+}
+
 static void memory_that_ends(void)
 {
     static soup s;
@@ -184,6 +228,7 @@ int main(void)
     TEST(options_out_of_range);
     TEST(meshes_that_are_none);
     TEST(questions_that_are_none);
+    TEST(strange_bodies);
     TEST(memory_that_ends);
     return test_finish();
 }
