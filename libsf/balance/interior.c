@@ -55,79 +55,33 @@ sf_terms sfi_interior_terms(const sfi_interior *in)
 {
     sf_terms terms = sf_terms_default();
     terms.rule = in->full;
-    terms.bed_layer = in->bed;
+    terms.bed_layer = in->bed < in->lattice.nz ? in->bed : SF_BED_AUTO; // auto: there is no matter
     terms.exempt = in->exempt;
     return terms;
-}
-
-// ---------------------------------------------------------------------------------------------
-// What is carried
-// ---------------------------------------------------------------------------------------------
-
-typedef struct sweep {
-    sfi_carrier carrier;
-    sfi_front fronts[2];
-} sweep;
-
-static sf_status carry_layer(const sfi_interior *in, sweep *s, const sf_grid *shape,
-                             const sf_grid *exempt, uint32_t k, sf_slice carried)
-{
-    sf_slice solid = sf_grid_slice(shape, k);
-    sfi_front front = s->fronts[k % 2];
-    if (k < in->bed) {
-        sfi_slice_clear(carried);
-        return SF_OK;
-    }
-    if (k == in->bed) {
-        SF_TRY(sfi_carry_bed(&s->carrier, solid, front));
-        return sf_slice_copy(carried, solid);
-    }
-    SF_TRY(sfi_carry(&s->carrier, k, &s->fronts[(k + 1) % 2], solid, sfi_mask_slice(exempt, k),
-                     front, SFI_NO_SLICE));
-    SF_TRY(sf_slice_copy(carried, front.alive));
-    return sfi_carry_anyway(&s->carrier, solid, front);
-}
-
-// carried = what of `shape` is on the bed, exempt or carried by the layer below as it is.
-static sf_status find_carried(const sfi_interior *in, const sf_grid *shape, const sf_grid *exempt,
-                              sf_grid *carried)
-{
-    sweep s = {{0}, {{SFI_NO_SLICE, NULL}, {SFI_NO_SLICE, NULL}}};
-    const sf_allocator *a = &in->allocator;
-    uint32_t nx = in->lattice.nx, ny = in->lattice.ny;
-    sf_status status = sfi_carrier_create(&in->full, nx, ny, a, &s.carrier);
-    for (int i = 0; status == SF_OK && i < 2; i++) {
-        status = sfi_front_create(&in->full, nx, ny, a, &s.fronts[i]);
-    }
-    for (uint32_t k = 0; status == SF_OK && k < in->lattice.nz; k++) {
-        status = sf_task_is_cancelled(in->task)
-                     ? SF_ERR_CANCELLED
-                     : carry_layer(in, &s, shape, exempt, k, sf_grid_slice(carried, k));
-    }
-    sfi_front_destroy(&s.fronts[0], &in->full, a);
-    sfi_front_destroy(&s.fronts[1], &in->full, a);
-    sfi_carrier_destroy(&s.carrier, a);
-    return status;
-}
-
-static sf_status find_exempt(sfi_interior *in, const sf_grid *given)
-{
-    SF_TRY(find_carried(in, in->solid, given, in->exempt));
-    for (uint32_t k = 0; k < in->lattice.nz; k++) {
-        sf_slice out = sf_grid_slice(in->exempt, k), solid = sf_grid_slice(in->solid, k);
-        SF_TRY(sf_slice_subtract(out, solid, out));
-        if (given != NULL) {
-            SF_TRY(sf_slice_or(out, out, sf_grid_slice(given, k)));
-            SF_TRY(sf_slice_and(out, out, solid));
-        }
-    }
-    return SF_OK;
 }
 
 // ---------------------------------------------------------------------------------------------
 // What is held, and where squares may be
 // ---------------------------------------------------------------------------------------------
 
+// E: what the terms exempt of the solid, and what it does not carry itself.
+static sf_status find_exempt(sfi_interior *in, const sf_terms *terms)
+{
+    sf_terms own = sfi_interior_terms(in);
+    own.exempt = terms->exempt;
+    if (sf_task_is_cancelled(in->task)) {
+        return SF_ERR_CANCELLED;
+    }
+    SF_TRY(sf_grid_unsupported(in->solid, &own, &in->allocator, NULL, in->exempt, NULL));
+    for (uint32_t k = 0; terms->exempt != NULL && k < in->lattice.nz; k++) {
+        sf_slice out = sf_grid_slice(in->exempt, k);
+        SF_TRY(sf_slice_or(out, out, sf_grid_slice(terms->exempt, k)));
+        SF_TRY(sf_slice_and(out, out, sf_grid_slice(in->solid, k)));
+    }
+    return SF_OK;
+}
+
+// From what of the wall hangs by itself, which is in `held` before.
 static sf_status find_held(const sfi_interior *in, uint32_t k, sf_slice scratch)
 {
     sf_slice held = sf_grid_slice(in->held, k), solid = sf_grid_slice(in->solid, k);
@@ -136,6 +90,7 @@ static sf_status find_held(const sfi_interior *in, uint32_t k, sf_slice scratch)
     }
     sf_element element;
     SF_TRY(sf_rule_element(&in->plain, k - 1, &element));
+    SF_TRY(sf_slice_subtract(held, sf_grid_slice(in->wall, k), held));
     SF_TRY(sf_slice_subtract(scratch, solid, sf_grid_slice(in->wall, k)));
     SF_TRY(sf_slice_and_dilate(scratch, scratch, sf_grid_slice(in->wall, k - 1), &element));
     SF_TRY(sf_slice_or(held, held, scratch));
@@ -181,7 +136,11 @@ static sf_status find_open(const sfi_interior *in, uint32_t k, sf_slice scratch,
 // set that counts as held.
 static sf_status look(sfi_interior *in, sf_slice scratch, sf_slice open, int forgive)
 {
-    SF_TRY(find_carried(in, in->wall, in->exempt, in->held));
+    sf_terms terms = sfi_interior_terms(in);
+    if (sf_task_is_cancelled(in->task)) {
+        return SF_ERR_CANCELLED;
+    }
+    SF_TRY(sf_grid_unsupported(in->wall, &terms, &in->allocator, NULL, in->held, NULL));
     in->is_open = 0;
     in->asked_voxels = 0;
     for (uint32_t k = 0; k < in->lattice.nz; k++) {
@@ -291,7 +250,7 @@ static sf_status create(sfi_interior *in, const sf_grid *wall, const sf_terms *t
     SF_TRY(find_reach(in));
     SF_TRY(sfi_question_given(in->solid, wall, terms, in->given));
     SF_TRY(sfi_grid_copy(in->wall, in->given));
-    SF_TRY(find_exempt(in, terms->exempt));
+    SF_TRY(find_exempt(in, terms));
     if (in->full.kind == SF_RULE_SLACK && (in->reach_x == 0 || in->reach_y == 0)) {
         SF_TRY(add_thin(in)); // there are no places yet, so all of it
     }
