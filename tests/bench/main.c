@@ -55,7 +55,7 @@ static void print_line(const figure *f, double goal, double amount, const char *
     if (goal > 0) {
         snprintf(bound, sizeof bound, "<= %.1f", goal);
     }
-    printf("%-18s %-10s %10.3f %10.3f %8.2f %8s %10.3g %s/s\n", f->job, f->size, f->times.job_ms,
+    printf("%-20s %-10s %10.3f %10.3f %8.2f %8s %10.3g %s/s\n", f->job, f->size, f->times.job_ms,
            f->times.limit_ms, f->times.ratio, bound, amount / f->times.job_ms * 1e3, unit);
     fflush(stdout);
 }
@@ -132,7 +132,7 @@ int main(int argc, char **argv)
             return usage();
         }
     }
-    printf("%-18s %-10s %10s %10s %8s %8s %s\n", "job", "size", "median ms", "limit ms", "ratio",
+    printf("%-20s %-10s %10s %10s %8s %8s %s\n", "job", "size", "median ms", "limit ms", "ratio",
            "goal", "      rate");
     bench_trim();
     bench_trim_box();
