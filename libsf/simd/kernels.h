@@ -48,9 +48,10 @@ typedef struct sfi_kernels {
 
     // Whether any bit is set in a rectangle of row_count >= 1 rows of count words each, of which
     // the first counts where `first` is set and the last where `last` is (a single word: where both
-    // are).
+    // are). next: NULL, or another rectangle of as many rows and the same stride, which will be
+    // asked about next: for its memory to be on the way by then.
     int (*any_in_rows)(const uint64_t *words, size_t stride, size_t row_count, size_t count,
-                       uint64_t first, uint64_t last);
+                       uint64_t first, uint64_t last, const uint64_t *next);
 
     // dst = OR of all rows, each XOR flip, which is 0 or all ones. row_count is even; a row may be
     // named twice. dst overlaps no row.

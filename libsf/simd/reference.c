@@ -63,9 +63,10 @@ static void subtract_words(uint64_t *dst, const uint64_t *a, const uint64_t *b, 
 }
 
 static int any_in_rows(const uint64_t *words, size_t stride, size_t row_count, size_t count,
-                       uint64_t first, uint64_t last)
+                       uint64_t first, uint64_t last, const uint64_t *next)
 {
     int any = 0;
+    (void)next;
     for (size_t y = 0; y < row_count; y++) {
         for (size_t x = 0; x < 64 * count; x++) {
             int counts = (x >= 64 || get(&first, x)) && (x / 64 + 1 < count || get(&last, x % 64));

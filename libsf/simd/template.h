@@ -35,9 +35,12 @@
 // add up. Nearer, or into the first cache, hides less. The address may lie outside any object; it
 // is never read.
 #define SF_AHEAD(p) __builtin_prefetch((const void *)((uintptr_t)(p) + 16384), 0, 2)
+// Ask for the memory at p, which is read soon.
+#define SF_FETCH(p) __builtin_prefetch(p, 0, 3)
 #else
 #define SF_INLINE inline
 #define SF_AHEAD(p) ((void)(p))
+#define SF_FETCH(p) ((void)(p))
 #endif
 
 #define SF_WORDWISE(name, vector_op, word_op)                                                      \
@@ -98,30 +101,34 @@ SF_TARGET static uint64_t SF_FN(popcount)(const uint64_t *words, size_t count)
 }
 
 // In each row a vector at the start, one that ends with the row, and whole ones between.
+// Rows are united first, the words of their ends apart from those between, and masked in the end.
 SF_TARGET static int SF_FN(any_in_rows)(const uint64_t *words, size_t stride, size_t row_count,
-                                        size_t count, uint64_t first, uint64_t last)
+                                        size_t count, uint64_t first, uint64_t last,
+                                        const uint64_t *next)
 {
     uint64_t lanes[SF_LANES], all = 0;
     if (count < SF_LANES) {
-        return SF_NARROWER->any_in_rows(words, stride, row_count, count, first, last);
+        return SF_NARROWER->any_in_rows(words, stride, row_count, count, first, last, next);
     }
-    for (size_t i = 0; i < SF_LANES; i++) {
-        lanes[i] = i > 0 ? ~UINT64_C(0) : count > 1 ? first : first & last;
-    }
-    SF_VEC any = SF_EACH(0), left = SF_LOAD(lanes),
-           right = SF_LAST(count > 1 ? last : first & last);
-    left = count == SF_LANES ? SF_AND(left, right) : left;
+    next = next != NULL ? next : words;
+    SF_VEC left = SF_EACH(0), right = left, middle = left;
     for (size_t y = 0; y < row_count; y++) {
         const uint64_t *row = words + y * stride;
-        any = SF_OR(any, SF_AND(SF_LOAD(row), left));
-        if (count > SF_LANES) {
-            any = SF_OR(any, SF_AND(SF_LOAD(row + count - SF_LANES), right));
-        }
+        SF_FETCH(next + y * stride);
+        left = SF_OR(left, SF_LOAD(row));
+        right = SF_OR(right, SF_LOAD(row + count - SF_LANES));
         for (size_t i = SF_LANES; i + SF_LANES < count; i += SF_LANES) {
-            any = SF_OR(any, SF_LOAD(row + i));
+            middle = SF_OR(middle, SF_LOAD(row + i));
         }
     }
-    SF_STORE(lanes, any);
+    right = SF_AND(right, SF_LAST(last));
+    left = count > SF_LANES ? left : SF_AND(left, right);
+    SF_STORE(lanes, left);
+    all = lanes[0] & first;
+    for (size_t i = 1; i < SF_LANES; i++) {
+        all |= lanes[i];
+    }
+    SF_STORE(lanes, count > SF_LANES ? SF_OR(middle, right) : middle);
     for (size_t i = 0; i < SF_LANES; i++) {
         all |= lanes[i];
     }
@@ -397,6 +404,7 @@ static const sfi_kernels SF_FN(table) = {
 
 #undef SF_INLINE
 #undef SF_AHEAD
+#undef SF_FETCH
 #undef SF_WORDWISE
 #undef SF_WIDEN
 #undef SF_TRIM_ROW

@@ -81,13 +81,15 @@ sf_status sfi_bed_update(sfi_bed *bed, const sfi_site *site)
 // Windows on a slice
 // ---------------------------------------------------------------------------------------------
 
-// Whether any voxel of a rectangle that is not empty is solid.
-static int any_in(sf_slice slice, sf_rect r)
+// Whether any voxel of a rectangle that is not empty is solid. `next` is the slice that is looked
+// at after this one, or has no words.
+static int any_in(sf_slice slice, sf_slice next, sf_rect r)
 {
     size_t first = r.x0 / 64, last = (r.x1 - 1) / 64;
+    const uint64_t *ahead = next.words != NULL ? sfi_slice_row(next, r.y0) + first : NULL;
     return sfi_kernels_get()->any_in_rows(sfi_slice_row(slice, r.y0) + first, slice.stride,
                                           r.y1 - r.y0, last - first + 1,
-                                          ~UINT64_C(0) << (r.x0 % 64), sfi_tail_mask(r.x1));
+                                          ~UINT64_C(0) << (r.x0 % 64), sfi_tail_mask(r.x1), ahead);
 }
 
 // The part of row y within a window around `from`.
@@ -107,19 +109,42 @@ static void row_range(const sfi_window *window, sf_voxel from, uint32_t height, 
     *y1 = window->reach_y < height - from.y ? from.y + window->reach_y + 1 : height;
 }
 
+#define BAND 16u
+
+// The same for a few rows of a window.
+static int any_in_band(sf_slice slice, const sfi_window *window, sf_voxel from, uint32_t y0,
+                       uint32_t y1)
+{
+    uint32_t widest = from.y < y0 ? y0 : from.y < y1 ? from.y : y1 - 1;
+    sf_rect around = row_part(window, from, slice.width, widest);
+    around.y0 = y0;
+    around.y1 = y1;
+    if (!any_in(slice, SFI_NO_SLICE, around)) {
+        return 0;
+    }
+    for (uint32_t y = y0; y < y1; y++) {
+        sf_rect part = row_part(window, from, slice.width, y);
+        if (sfi_row_any(sfi_slice_row(slice, y), slice.width, part.x0, part.x1)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 // Most windows are empty, and so is the rectangle around them, which is tested first and at once.
-static int any_in_window(sf_slice slice, const sfi_window *window, sf_voxel from)
+// Where it is not, matter is often in its corners, outside the window; so bands of it come next.
+static int any_in_window(sf_slice slice, sf_slice next, const sfi_window *window, sf_voxel from)
 {
     uint32_t y0, y1;
     row_range(window, from, slice.height, &y0, &y1);
     sf_rect around = row_part(window, from, slice.width, from.y);
     around.y0 = y0;
     around.y1 = y1;
-    if (!any_in(slice, around)) {
+    if (!any_in(slice, next, around)) {
         return 0;
     }
-    for (uint32_t y = y0; y < y1; y++) {
-        if (any_in(slice, row_part(window, from, slice.width, y))) {
+    for (uint32_t y = y0; y < y1; y += BAND) {
+        if (any_in_band(slice, window, from, y, y1 - y < BAND ? y1 : y + BAND)) {
             return 1;
         }
     }
@@ -256,9 +281,10 @@ static sf_status search_cone(sf_path_finder *f, sf_voxel from, sf_path *found, i
     for (uint32_t z = from.z; z-- > site->bed;) {
         sfi_window window;
         SF_TRY(sfi_cone_deepen(&f->cone, &window));
-        int is_hit = any_in_window(sf_grid_slice(site->roots, z), &window, from);
+        sf_slice next = z > site->bed ? sf_grid_slice(site->roots, z - 1) : SFI_NO_SLICE;
+        int is_hit = any_in_window(sf_grid_slice(site->roots, z), next, &window, from);
         sf_slice exempt = sfi_mask_slice(site->terms.exempt, z);
-        if (!is_hit && exempt.words != NULL && any_in_window(exempt, &window, from)) {
+        if (!is_hit && exempt.words != NULL && any_in_window(exempt, SFI_NO_SLICE, &window, from)) {
             break;
         }
         if (is_hit || z == site->bed) {
