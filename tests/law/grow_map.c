@@ -78,7 +78,7 @@ static void check_voxel(const path_case *c, const sf_path_map *map, sf_path_cost
     sf_path p, q;
     int z = (int)from.z, x = (int)from.x, y = (int)from.y;
     int is_trivial = z == c->bed || is_exempt(c, x, y, z);
-    int least = z < c->bed ? PATHS_NONE : is_trivial ? 0 : least_supporter(c, cost, x, y, z);
+    int least = is_trivial ? 0 : z < c->bed ? PATHS_NONE : least_supporter(c, cost, x, y, z);
     sf_status expected = least < PATHS_NONE ? SF_OK : SF_ERR_INFEASIBLE;
     CHECK_EQ(sf_path_map_walk(map, from, path, 64, &p), expected);
     if (expected != SF_OK) {

@@ -252,13 +252,13 @@ static inline int naive_path(const path_case *c, int fx, int fy, int fz, path_ra
     int area = c->shape.nx * c->shape.ny, cap = c->rule.slack_cap;
     memset(best, 0, sizeof *best);
     *t = 0;
-    if (fz < c->bed) {
-        return 0;
-    }
     if (fz == c->bed || is_exempt(c, fx, fy, fz)) {
         best->found = 1;
         best->end = fz == c->bed ? 2 : 1;
         return 1;
+    }
+    if (fz < c->bed) {
+        return 0;
     }
     for (int d = 0; d <= cap; d++) {
         memset(reach[0][d], 0, sizeof reach[0][d]);

@@ -110,10 +110,11 @@ SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_ta
  *
  * The path goes from the layer below the voxel downwards, without the voxel itself and without the
  * matter that it lands on. It is empty where the voxel is carried already, lies on the bed or is
- * exempt. Among the paths of least cost: matter before a held voxel before the bed; the least
- * distance of the landing from the voxel in the plane (on the bed first the least distance to the
- * matter there), then the least y, then the least x of it. Between voxel and landing the path stays
- * close to the straight line. With a bed slice that is empty it goes straight down if it may.
+ * exempt, below the bed too: what is exempt stands wherever it lies. Among the paths of least cost:
+ * matter before a held voxel before the bed; the least distance of the landing from the voxel in
+ * the plane (on the bed first the least distance to the matter there), then the least y, then the
+ * least x of it. Between voxel and landing the path stays close to the straight line. With a bed
+ * slice that is empty it goes straight down if it may.
  *
  * @param finder    the finder
  * @param from      the voxel; whether it may be filled itself is not asked
@@ -121,8 +122,9 @@ SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_ta
  * @param capacity  places in `path`; the layers of the grid are always enough
  * @param found     what is known of the path
  * @return SF_OK; SF_ERR_CAPACITY: too few places, with `found` filled and `path` not written;
- * SF_ERR_INFEASIBLE: there is no path, as below the bed layer or where the masks leave no way;
- * SF_ERR_ARGUMENT: a NULL pointer, a voxel outside the grid; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+ * SF_ERR_INFEASIBLE: there is no path, as for a voxel below the bed layer that is not exempt, or
+ * where the masks leave no way; SF_ERR_ARGUMENT: a NULL pointer, a voxel outside the grid;
+ * SF_ERR_OVERFLOW; SF_ERR_MEMORY.
  * @cost O(t^3 / 64) word reads where the path is t layers long; under slack, and where the masks
  * lie in the way, O(t^3) bytes and memory for them.
  * @threads one per finder; the grids are only read.

@@ -297,11 +297,11 @@ static sf_status search_cone(sf_path_finder *f, sf_voxel from, sf_path *found, i
 
 static sf_status search(sf_path_finder *f, sf_voxel from, sf_path *found)
 {
-    if (from.z < f->site.bed) {
-        return SF_ERR_INFEASIBLE;
-    }
     if (sfi_path_is_trivial(&f->site, from, found)) {
         return SF_OK;
+    }
+    if (from.z < f->site.bed) {
+        return SF_ERR_INFEASIBLE;
     }
     int is_answer = 0;
     if (f->site.plain.kind != SF_RULE_SLACK) {

@@ -216,11 +216,11 @@ sf_status sf_path_map_walk(const sf_path_map *map, sf_voxel from, sf_voxel *path
         from.z >= map->site.lattice.nz) {
         return SF_ERR_ARGUMENT;
     }
-    if (from.z < map->site.bed) {
-        return SF_ERR_INFEASIBLE;
-    }
     if (sfi_path_is_trivial(&map->site, from, found)) {
         return SF_OK;
+    }
+    if (from.z < map->site.bed) {
+        return SF_ERR_INFEASIBLE;
     }
     sf_path answer;
     if (!walk(map, from, NULL, &answer)) {

@@ -292,11 +292,50 @@ static void a_short_array_is_told_the_need(void)
     sf_grid_destroy(grid);
 }
 
+// What is exempt needs nothing below it, so it has its path, an empty one, even where no path can
+// be: below the bed. All else down there has none.
+static void an_exempt_voxel_stands_below_the_bed_too(void)
+{
+    static stack s, mask;
+    stack_clear(&s, 5, 4, 6);
+    stack_clear(&mask, 5, 4, 6);
+    *stack_at(&mask, 2, 2, 1) = 1;
+    sf_grid *grid = stack_grid(&s), *exempt = stack_grid(&mask);
+    sf_terms terms = sf_terms_default();
+    terms.bed_layer = 3;
+    terms.exempt = exempt;
+    for (int i = 0; i < 2; i++) {
+        sf_path_finder *finder = NULL;
+        sf_path_map *map = NULL;
+        sf_path_map_options options = sf_path_map_options_default();
+        sf_voxel held = {2, 2, 1}, beside = {1, 2, 1}, above = {2, 2, 2}, on_bed = {2, 2, 3};
+        sf_path found;
+        CHECK_EQ(sf_path_map_create(grid, &terms, &options, NULL, NULL, &map), SF_OK);
+        terms.rule = i == 0 ? sf_rule_box3() : rule_of_angle(SF_RULE_SLACK, 45.0);
+        CHECK_EQ(sf_path_finder_create(grid, &terms, SF_LANDING_ANY, NULL, NULL, &finder), SF_OK);
+        CHECK_EQ(sf_path_finder_find(finder, held, NULL, 0, &found), SF_OK);
+        CHECK(found.count == 0 && found.end == SF_PATH_END_HELD && found.landing.z == 1);
+        CHECK_EQ(sf_path_map_walk(map, held, NULL, 0, &found), SF_OK);
+        CHECK(found.count == 0 && found.end == SF_PATH_END_HELD && found.landing.z == 1);
+        CHECK_EQ(sf_path_finder_find(finder, beside, NULL, 0, &found), SF_ERR_INFEASIBLE);
+        CHECK_EQ(sf_path_map_walk(map, beside, NULL, 0, &found), SF_ERR_INFEASIBLE);
+        CHECK_EQ(sf_path_finder_find(finder, above, NULL, 0, &found), SF_ERR_INFEASIBLE);
+        CHECK_EQ(sf_path_finder_find(finder, on_bed, NULL, 0, &found), SF_OK);
+        CHECK(found.count == 0 && found.end == SF_PATH_END_BED);
+        sf_path_finder_destroy(finder);
+        sf_path_map_destroy(map);
+        terms.rule = sf_rule_box3();
+    }
+    sf_grid_destroy(grid);
+    sf_grid_destroy(exempt);
+}
+
 int main(void)
 {
     TEST(refused_memory_changes_nothing);
     TEST(a_cancel_changes_nothing);
     TEST(nonsense_is_refused);
     TEST(a_short_array_is_told_the_need);
+    TEST(an_exempt_voxel_stands_below_the_bed_too);
     return test_finish();
 }
