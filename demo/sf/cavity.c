@@ -207,6 +207,12 @@ static exit_status measure(cli_job *job, const part *p, const densities *d, cavi
                                                   &job->task, &c->wall_min_mm)
                               : measure_inside(job, p, c);
     }
+    if (status == SF_OK && c->carved_voxels == 0) {
+        return job_fail(job, EXIT_PROPERTY,
+                        "Nothing can be carved that a hole of %g mm fits into. Nothing was "
+                        "written.",
+                        job->options.drain_mm);
+    }
     exit_status weighed = densities_weigh(job, d, p->grid, &c->before);
     if (weighed == EXIT_GOOD) {
         weighed = densities_weigh(job, d, c->done.after, &c->after);

@@ -41,5 +41,6 @@ void bench_meshes(void);
 void bench_repair(void);
 void bench_grow(void);
 void bench_balance(void);
+void bench_carve(void);
 
 #endif

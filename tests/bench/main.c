@@ -141,6 +141,7 @@ int main(int argc, char **argv)
     bench_meshes();
     bench_grow();
     bench_balance();
+    bench_carve();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {
