@@ -84,7 +84,7 @@ static void say_voids(cli_job *job, const cavity *c)
                    describe_mm3((double)c->drained.filled_voxels * voxel_mm3, volume));
     }
     if (c->drained.closed_count > 0) {
-        report_say(r, "%llu void%s shut: no hole fits, and filling would leave matter hanging.",
+        report_say(r, "%llu void%s shut: wherever a hole was tried, something would hang.",
                    (unsigned long long)c->drained.closed_count,
                    c->drained.closed_count == 1 ? " stays" : "s stay");
     }

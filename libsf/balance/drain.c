@@ -63,6 +63,7 @@ static sf_status settle_terms(sfi_drainer *d, const sf_grid *grid, const sf_term
         d->terms.bed_layer = ground.bed; // whatever holes do to the layer that it was chosen by
     }
     SF_TRY(sf_rule_measure(&terms->rule, &ground.lattice, &d->plan.angles));
+    SF_TRY(sf_grid_create(&ground.lattice, &d->allocator, &d->lost));
     SF_TRY(sf_grid_create(&ground.lattice, &d->allocator, &d->hanging));
     SF_TRY(sf_grid_unsupported(grid, &d->terms, &d->allocator, NULL, d->hanging, NULL));
     for (uint32_t k = 0; terms->exempt != NULL && k < ground.lattice.nz; k++) {
@@ -149,6 +150,7 @@ static void destroy(sfi_drainer *d)
     sfi_free_array(a, d->outlets.list, d->outlets.capacity, sizeof *d->outlets.list);
     sfi_free_array(a, d->drains, d->drain_capacity, sizeof *d->drains);
     sfi_levels_destroy(d->levels, &d->plan.lattice, a);
+    sf_grid_destroy(d->lost);
     sf_grid_destroy(d->hanging);
     sf_grid_destroy(d->trial);
     sf_grid_destroy(d->made);

@@ -7,7 +7,9 @@
 // it supported is a theorem only where all around it is solid, which it is not under a slanting
 // floor: so a hole is drilled into a copy, the copy is looked at as a whole, and only what passes
 // counts. Places next to one that failed fail as well, more often than not, and are not tried
-// again.
+// again. Where none is found, the first place counts at which little hangs afterwards: around the
+// lower end of a hole through a shallow underside, whose rim stood on what is drilled out. That
+// goes with it, and the hole is a little wider there.
 //
 // What is filled was solid once, in whoever's part this is a cavity of, but that is not known here:
 // it is looked at like a hole.
@@ -24,7 +26,8 @@
 #include <math.h>
 #include <string.h>
 
-#define TRIES 32u // of each kind for one void
+#define TRIES 32u   // of each kind for one void
+#define WIDENING 4u // a hole takes no more with it than one part in so many
 
 // ---------------------------------------------------------------------------------------------
 // Voids
@@ -40,7 +43,7 @@ static int touches_side(const sf_lattice *l, const sf_run *run, uint32_t k)
 static void measure_pieces(sfi_drainer *d, sfi_closed_void *all)
 {
     for (uint32_t i = 0; i < d->pieces.count; i++) {
-        sfi_closed_void none = {i, 0, {0, 0, 0, 0, 0, 0}};
+        sfi_closed_void none = {i, 0, {0, 0, 0, 0, 0, 0}, 0};
         all[i] = none;
     }
     for (uint32_t k = 0; k < d->plan.lattice.nz; k++) {
@@ -120,12 +123,48 @@ static sf_status copy_layers(sf_grid *to, const sf_grid *from, int64_t first, in
     return SF_OK;
 }
 
-// SF_OK: drilled; SF_ERR_INFEASIBLE: it may not be.
-static sf_status try_outlet(sfi_drainer *d, const sfi_closed_void *hollow, const sfi_outlet *outlet)
+// Whether all that hangs now may be taken away as well.
+static int may_lose(const sfi_drainer *d, sf_box box)
+{
+    for (uint32_t k = box.z0; k < box.z1; k++) {
+        sf_slice lost = sf_grid_slice(d->lost, k), act = sfi_mask_slice(d->terms.act, k);
+        for (uint32_t i = 0; i < (box.x1 - box.x0) * (box.y1 - box.y0); i++) {
+            uint32_t x = box.x0 + i % (box.x1 - box.x0), y = box.y0 + i / (box.x1 - box.x0);
+            if (sf_slice_get(lost, x, y) && (sf_slice_get(sfi_mask_slice(d->terms.keep, k), x, y) ||
+                                             (act.words != NULL && !sf_slice_get(act, x, y)))) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+// Take away what hangs, as part of the hole. What then is left does not hang: it is the trim.
+static sf_status take_lost(sfi_drainer *d, sf_box box, sfi_bore *bore)
+{
+    sf_body body;
+    SF_TRY(sf_grid_body(d->lost, d->options->density, NULL, &body));
+    bore->body = sf_body_add(bore->body, 1, body);
+    bore->voxels += sf_grid_popcount(d->lost);
+    for (uint32_t k = box.z0; k < box.z1; k++) {
+        sf_slice trial = sf_grid_slice(d->trial, k);
+        SF_TRY(sf_slice_subtract(trial, trial, sf_grid_slice(d->lost, k)));
+    }
+    sfi_drill_mark_around(&d->plan, d->lost, box, d->marks);
+    return SF_OK;
+}
+
+// SF_OK: drilled; SF_ERR_INFEASIBLE: it may not be. Where no more than a share of what is drilled
+// would hang, it is `nearly` possible, and done where `widen` says so.
+static sf_status try_outlet(sfi_drainer *d, const sfi_closed_void *hollow, const sfi_outlet *outlet,
+                            int widen, int *nearly)
 {
     sfi_drill begin = sfi_drill_begin(outlet->x, outlet->y, outlet->layer, outlet->direction);
     sfi_bore bore = sfi_drill_measure(&d->plan, begin);
+    sf_box box = {0, 0, 0, 0, 0, 0};
     int64_t low = bore.end.layer < 0 ? 0 : bore.end.layer, high = begin.layer;
+    uint64_t lost = 0;
+    *nearly = 0;
     if (!bore.is_allowed || bore.voxels == 0) {
         return SF_ERR_INFEASIBLE;
     }
@@ -135,7 +174,13 @@ static sf_status try_outlet(sfi_drainer *d, const sfi_closed_void *hollow, const
     sfi_drill_remove(&d->plan, begin, d->trial);
     sf_status status = SF_OK;
     if (d->has_terms) {
-        status = sf_grid_feasible(d->trial, d->trial, &d->terms, &d->allocator, NULL, NULL, NULL);
+        status =
+            sf_grid_feasible(d->trial, d->trial, &d->terms, &d->allocator, NULL, d->lost, &lost);
+    }
+    if (status == SF_ERR_INFEASIBLE && lost <= bore.voxels / WIDENING) {
+        box = sf_grid_bounds(d->lost);
+        *nearly = may_lose(d, box);
+        status = *nearly && widen ? take_lost(d, box, &bore) : status;
     }
     if (status != SF_OK) {
         SF_TRY(copy_layers(d->trial, d->made, low, high));
@@ -143,12 +188,15 @@ static sf_status try_outlet(sfi_drainer *d, const sfi_closed_void *hollow, const
     }
     sfi_drill_mark(&d->plan, begin, d->marks);
     SF_TRY(copy_layers(d->made, d->trial, low, high));
+    SF_TRY(copy_layers(d->made, d->trial, box.z0, box.z1));
     return note(d, hollow, &begin, &bore);
 }
 
 // One more hole for a void, among the places that are left. `tries` counts down.
 static sf_status drill_one(sfi_drainer *d, const sfi_closed_void *hollow, unsigned *tries)
 {
+    sfi_outlet *fallback = NULL;
+    int nearly;
     for (; *tries > 0; *tries -= 1) {
         sfi_outlet *best = sfi_outlets_best(&d->outlets);
         if (best == NULL) {
@@ -157,17 +205,22 @@ static sf_status drill_one(sfi_drainer *d, const sfi_closed_void *hollow, unsign
         if (sf_task_is_cancelled(d->task)) {
             return SF_ERR_CANCELLED;
         }
-        sf_status status = try_outlet(d, hollow, best);
+        sf_status status = try_outlet(d, hollow, best, 0, &nearly);
         if (status == SF_OK) {
             best->state |= SFI_OUTLET_TAKEN;
         }
         if (status != SF_ERR_INFEASIBLE) {
             return status;
         }
+        fallback = nearly && fallback == NULL ? best : fallback;
         sfi_outlets_give_up(&d->outlets, &d->plan.lattice, best, d->options->diameter_mm);
         best->state |= SFI_OUTLET_VAIN;
     }
-    return SF_ERR_INFEASIBLE;
+    if (fallback == NULL) {
+        return SF_ERR_INFEASIBLE;
+    }
+    fallback->state |= SFI_OUTLET_TAKEN;
+    return try_outlet(d, hollow, fallback, 1, &nearly);
 }
 
 // As far from the holes that the void has as half its length, or half of that, and so on.
@@ -204,14 +257,19 @@ static sf_status drill_kind(sfi_drainer *d, const sfi_closed_void *hollow, int a
     return SF_OK;
 }
 
-static sf_status drain_void(sfi_drainer *d, const sfi_closed_void *hollow)
+static sf_status drain_void(sfi_drainer *d, sfi_closed_void *hollow)
 {
     uint32_t left = d->options->count;
-    if (hollow->voxels < d->options->void_min || d->is_open[hollow->piece]) {
+    if (d->is_open[hollow->piece]) {
+        return SF_OK;
+    }
+    if (hollow->voxels < d->options->void_min) {
+        hollow->is_narrow = 1;
         return SF_OK;
     }
     memset(d->marks, 0, d->pieces.count);
     SF_TRY(drill_kind(d, hollow, 0, &left));
+    hollow->is_narrow = d->outlets.count == 0;
     if (left == d->options->count) {
         SF_TRY(drill_kind(d, hollow, 1, &left));
     }
@@ -277,7 +335,7 @@ static sf_status fill_void(sfi_drainer *d, const sfi_closed_void *hollow, int *i
 static sf_status finish_void(sfi_drainer *d, const sfi_closed_void *hollow)
 {
     int is_open = d->is_open[hollow->piece], is_filled = 0;
-    if (!is_open && d->options->fill) {
+    if (!is_open && hollow->is_narrow && d->options->fill) {
         SF_TRY(fill_void(d, hollow, &is_filled));
     }
     d->report.drained_count += (uint64_t)is_open;

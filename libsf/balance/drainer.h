@@ -8,7 +8,7 @@
 
 typedef struct sfi_drainer {
     const sf_drain_options *options;
-    sf_grid *made, *trial, *hanging;
+    sf_grid *made, *trial, *hanging, *lost;
     sf_terms terms; // with what hung before as exempt, and the bed that it had
     int has_terms;
     sf_allocator allocator;

@@ -221,3 +221,17 @@ void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, uint8_t *marks
 {
     (void)visit_shaft(plan, begin, mark_voxel, marks);
 }
+
+void sfi_drill_mark_around(const sfi_ground_plan *plan, const sf_grid *grid, sf_box box,
+                           uint8_t *marks)
+{
+    for (uint32_t k = box.z0; k < box.z1; k++) {
+        for (uint32_t y = box.y0; y < box.y1; y++) {
+            for (uint32_t x = box.x0; x < box.x1; x++) {
+                if (sf_slice_get(sf_grid_slice(grid, k), x, y)) {
+                    mark_voxel(plan, x, y, k, marks);
+                }
+            }
+        }
+    }
+}

@@ -57,4 +57,8 @@ void sfi_drill_remove(const sfi_ground_plan *plan, sfi_drill begin, sf_grid *gri
 // Mark the voids that it opens, 1 in the place of each.
 void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, uint8_t *marks);
 
+// The same for voxels of a grid that are taken out as well.
+void sfi_drill_mark_around(const sfi_ground_plan *plan, const sf_grid *grid, sf_box box,
+                           uint8_t *marks);
+
 #endif

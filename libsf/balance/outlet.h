@@ -11,6 +11,7 @@ typedef struct sfi_closed_void {
     uint32_t piece;
     uint64_t voxels;
     sf_box box;
+    int is_narrow; // no hole fits into it, or it is too small to have one
 } sfi_closed_void;
 
 #define SFI_OUTLET_TAKEN 1u // there is a hole

@@ -2,9 +2,9 @@
 // The wall: voxels of a solid that come nearer to its surface than a given thickness.
 //
 // A voxel is a box, and any of its points counts: distances of centres leave walls that are up to
-// 1.7 voxels short. The distance of a box to a triangle is exact but dear, so it is asked only
-// where cheaper bounds say nothing. Let T be the voxels that the surface touches. For a voxel v and
-// one t of T
+// 0.87 voxels short, and those from centre to centre twice that. The distance of a box to a
+// triangle is exact but dear, so it is asked only where cheaper bounds say nothing. Let T be the
+// voxels that the surface touches. For a voxel v and one t of T
 //
 //     gap(v, t)   the distance of the two boxes: no point of the surface in t is nearer to v
 //     far(v, t)   the distance of the two centres: every point of t is at least that near to v

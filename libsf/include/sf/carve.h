@@ -246,8 +246,9 @@ typedef struct sf_drain_options {
     double diameter_mm; /**< a round rod of that diameter passes; above 0 */
     uint32_t count;     /**< holes for each void, far from each other; 1 by default */
     uint64_t void_min;  /**< voids of fewer voxels get none; 0 by default */
-    int fill; /**< 1: a void without a hole is filled, where that leaves all of it supported and
-                   the terms let matter be added; 0 (default): it stays as it is */
+    int fill; /**< 1: a void that no hole fits into, or of fewer voxels than void_min, is filled
+                   where that leaves all of it supported and the terms let matter be added;
+                   0 (default): it stays as it is */
     const float *density; /**< of each voxel, as in sf_carve_options; NULL (default): 1 */
     sf_body body;         /**< what the whole part weighs; looked at where there are stances */
     const sf_stance *const *stances; /**< whose balance is to change least */
@@ -272,8 +273,9 @@ typedef struct sf_drain_report {
     uint64_t drained_count;  /**< of these, voids that are open now */
     uint64_t filled_count;   /**< voids that were filled */
     uint64_t filled_voxels;  /**< and their voxels */
-    uint64_t closed_count;   /**< voids that are closed still: no hole fits, none may be drilled, or
-                                  they are too small. sf_grid_voids() with an open bed names them */
+    uint64_t closed_count;   /**< voids that are closed still: no hole fits and they are not filled,
+                                  or none may be drilled. sf_grid_voids() with an open bed names
+                                  them */
     uint64_t closed_voxels;  /**< and their voxels */
     uint64_t drain_count;    /**< holes */
     uint64_t drains_dropped; /**< holes without a place in the array */
@@ -294,12 +296,13 @@ typedef struct sf_drain_report {
  *
  * With terms no hole is drilled that leaves anything unsupported that was supported before it,
  * exempt voxels included, that takes a voxel of `keep`, or one outside `act`; and no void is filled
- * that reaches into `forbid`, or out of `act`.
+ * that reaches into `forbid`, or out of `act`. Where no place will do, a hole may take with it what
+ * would hang around its lower end, as long as that is no more than a quarter of the hole.
  *
  * @param grid       the part, changed in place
  * @param terms      rule, bed layer and masks; NULL: nothing needs support
  * @param options    diameter, count, stances
- * @param allocator  for working memory: three grids, the runs of what is empty, and 24 bytes for
+ * @param allocator  for working memory: four grids, the runs of what is empty, and 24 bytes for
  *                   each voxel of a void's surface; NULL for the C library's
  * @param task       NULL, or progress per void; a cancel is honoured before each try
  * @param report     counts; may be NULL
