@@ -229,11 +229,12 @@ static void keep_apart(const sfi_drainer *d, sf_box box)
     double x = (box.x1 - box.x0) * d->plan.lattice.pitch_x_mm;
     double y = (box.y1 - box.y0) * d->plan.lattice.pitch_y_mm;
     double least = 2 * d->options->diameter_mm, apart = 0.5 * sqrt(x * x + y * y);
-    do {
-        apart = apart > least ? apart : least;
+    apart = apart > least ? apart : least;
+    sfi_outlets_keep_apart(&d->outlets, &d->plan.lattice, apart);
+    while (apart > least && sfi_outlets_best(&d->outlets) == NULL) {
+        apart = 0.5 * apart > least ? 0.5 * apart : least;
         sfi_outlets_keep_apart(&d->outlets, &d->plan.lattice, apart);
-        apart *= 0.5;
-    } while (apart >= 0.5 * least && sfi_outlets_best(&d->outlets) == NULL);
+    }
 }
 
 // All holes of a void of one kind, straight or aslant; `left` counts down.
