@@ -12,6 +12,9 @@
 // where it is low enough to matter. How far the lowest of all vertices lies too low is always
 // found.
 //
+// Where bending shrinks volume too far a row each asks for more, at the worst places: a solid that
+// is turned inside out has a balance, but no shape.
+//
 // What is carried along, a mass m in the point p, moves as the solid there does; its moment is
 // m sum phi_b(p) y_b, so that any number of such masses is one sum for each function.
 //
@@ -33,6 +36,9 @@
 // size below which a vertex is low enough to get a row.
 enum { CELLS = 32 };
 #define LOW 0.1
+// Places of least growth that get a row, and the growth below which they may.
+enum { CRUSHED_ROWS = 48 };
+#define NARROW 0.6
 #define NO_VERTEX UINT32_MAX
 
 // --- Memory --------------------------------------------------------------------------------------
@@ -47,10 +53,13 @@ static double *cut(double **at, size_t count)
 static sf_status take_numbers(const sfi_posture *posture, sfi_posture_scratch *made)
 {
     size_t handles = posture->energy->handle_count, rows, all;
-    made->row_capacity = posture->safe_count + CELLS * CELLS * posture->standing_count;
+    made->place_count = posture->stretch != NULL ? posture->stretch->place_count : 0;
+    made->row_capacity =
+        posture->safe_count + CELLS * CELLS * posture->standing_count + CRUSHED_ROWS;
     if (!sfi_size_mul(handles, 12, &rows) || !sfi_size_add(rows, 1, &rows) ||
         !sfi_size_mul(rows, made->row_capacity, &rows) ||
-        !sfi_size_mul(handles, 48 + 48 + 12 + 36 + 4, &all) || !sfi_size_add(all, rows, &all)) {
+        !sfi_size_mul(handles, 48 + 48 + 12 + 36 + 4, &all) || !sfi_size_add(all, rows, &all) ||
+        !sfi_size_add(all, made->place_count, &all)) {
         return SF_ERR_MEMORY;
     }
     made->memory_count = all;
@@ -66,6 +75,7 @@ static sf_status take_numbers(const sfi_posture *posture, sfi_posture_scratch *m
     made->energy = cut(&at, sfi_energy_scratch(handles));
     made->functions = cut(&at, 4 * handles);
     made->rows.values = cut(&at, made->row_capacity);
+    made->growth = cut(&at, made->place_count);
     made->rows.gradients = at;
     return SF_OK;
 }
@@ -211,10 +221,13 @@ static size_t cell_along(double at)
     return cell < 0 ? 0 : cell > CELLS - 1 ? CELLS - 1 : (size_t)cell;
 }
 
-// How far vertex v lies above what is allowed, over the size.
-static double rise(const sfi_posture *posture, const sfi_standing *ground, const double *v)
+// How far a vertex lies above what ground g allows, over the size.
+static double rise(const sfi_posture *posture, size_t g, size_t vertex, const double *bent)
 {
-    return (sfi_dot(ground->up, v) - ground->height_mm - posture->clearance_mm) / posture->size_mm;
+    const sfi_standing *ground = &posture->standings[g];
+    int may_be_close = posture->foot != NULL && (posture->foot[vertex] >> g & 1) != 0;
+    double height = sfi_dot(ground->up, bent + 3 * vertex) - ground->height_mm;
+    return (height - (may_be_close ? 0 : posture->clearance_mm)) / posture->size_mm;
 }
 
 static void add_ground(const sfi_posture *posture, size_t g, sfi_posture_scratch *scratch,
@@ -228,7 +241,7 @@ static void add_ground(const sfi_posture *posture, size_t g, sfi_posture_scratch
         scratch->lowest[i] = NO_VERTEX;
     }
     for (size_t v = 0; v < posture->skins[0].basis.count; v++) {
-        double above = rise(posture, ground, bent + 3 * v);
+        double above = rise(posture, g, v, bent);
         if (above >= LOW || (posture->held[v] >> g & 1) != 0) {
             continue;
         }
@@ -237,15 +250,38 @@ static void add_ground(const sfi_posture *posture, size_t g, sfi_posture_scratch
         size_t cell = cell_along(sfi_dot(first, from) / posture->size_mm) * CELLS +
                       cell_along(sfi_dot(second, from) / posture->size_mm);
         uint32_t was = scratch->lowest[cell];
-        if (was == NO_VERTEX || above < rise(posture, ground, bent + 3 * (size_t)was)) {
+        if (was == NO_VERTEX || above < rise(posture, g, was, bent)) {
             scratch->lowest[cell] = (uint32_t)v;
         }
     }
     for (size_t i = 0; i < CELLS * CELLS; i++) {
         uint32_t v = scratch->lowest[i];
         if (v != NO_VERTEX) {
-            add_low(posture, ground, v, rise(posture, ground, bent + 3 * (size_t)v), scratch);
+            add_low(posture, ground, v, rise(posture, g, v, bent), scratch);
         }
+    }
+}
+
+// Rows for the places where volume grows least, the worst first.
+static void add_crushed(const sfi_posture *posture, sfi_posture_scratch *scratch, double *crushed)
+{
+    const sfi_stretch *stretch = posture->stretch;
+    for (size_t i = 0; i < scratch->place_count; i++) {
+        scratch->growth[i] = sfi_stretch_at(stretch, i, scratch->coefficients);
+    }
+    for (int row = 0; row < CRUSHED_ROWS && scratch->place_count > 0; row++) {
+        size_t worst = 0;
+        for (size_t i = 1; i < scratch->place_count; i++) {
+            worst = scratch->growth[i] < scratch->growth[worst] ? i : worst;
+        }
+        double value = scratch->growth[worst] - SFI_LEAST_GROWTH;
+        *crushed = -value > *crushed ? -value : *crushed;
+        if (scratch->growth[worst] >= NARROW) {
+            return;
+        }
+        scratch->growth[worst] = NARROW;
+        sfi_stretch_gradient(stretch, worst, scratch->coefficients,
+                             new_row(posture, &scratch->rows, value));
     }
 }
 
@@ -258,7 +294,7 @@ sf_status sfi_posture_look(const sfi_posture *posture, const sf_pose *poses, sf_
     SF_TRY(weigh(posture, task, scratch, &s.body));
     sfi_energy_at(posture->energy, poses, scratch->energy, s.terms, NULL, NULL);
     s.energy = s.terms[0] + s.terms[1] + s.terms[2];
-    s.unsafe = s.sunk = 0;
+    s.unsafe = s.sunk = s.crushed = 0;
     scratch->rows.count = 0;
     for (size_t i = 0; i < posture->safe_count; i++) {
         add_safe(posture, &posture->safe[i], &s.body, scratch, &s.unsafe);
@@ -267,6 +303,7 @@ sf_status sfi_posture_look(const sfi_posture *posture, const sf_pose *poses, sf_
     for (size_t g = 0; g < posture->standing_count; g++) {
         add_ground(posture, g, scratch, &s.sunk);
     }
+    add_crushed(posture, scratch, &s.crushed);
     *state = s;
     return SF_OK;
 }

@@ -5,6 +5,7 @@
 #define SF_BALANCE_POSTURE_H
 
 #include "balance/energy.h"
+#include "balance/stretch.h"
 
 // A closed mesh that bends: the outside of the shape, or, inside out, its cavity.
 typedef struct sfi_skin {
@@ -34,8 +35,10 @@ typedef struct sfi_posture {
     const sfi_standing *standings;
     size_t standing_count;
     const uint32_t *held; // of each vertex of the outside: bit i where it may touch ground i
-    double clearance_mm;  // how far all others must stay above
-    double size_mm;       // of the shape: lengths are measured by it
+    const uint32_t *foot; // bit i where it must stay above ground i, but may come close; or NULL
+    const sfi_stretch *stretch; // where volume must not shrink too far; or NULL
+    double clearance_mm;        // how far all others must stay above
+    double size_mm;             // of the shape: lengths are measured by it
 } sfi_posture;
 
 // What poses make of a shape.
@@ -45,10 +48,14 @@ typedef struct sfi_posture_state {
     sf_body body;    // all together
     double unsafe;   // how far the centre of mass lies outside the safe set, over the size
     double sunk;     // how far the lowest vertex lies too low, over the size
+    double crushed;  // how far the least growth of volume lies below what is allowed
 } sfi_posture_state;
 
+// Least factor by which bending may change volume anywhere.
+#define SFI_LEAST_GROWTH 0.25
+
 // Rows gradient . change of coefficients >= -value, in lengths over the size: first those of the
-// safe set, then those of vertices near the ground.
+// safe set, then those of vertices near the ground, then growth of volume where it is least.
 typedef struct sfi_posture_rows {
     double *gradients; // 12 numbers a handle for each row
     double *values;
@@ -62,8 +69,9 @@ typedef struct sfi_posture_scratch {
     double *by_body, *by_skin;   // 48 numbers a handle: of the whole body, of one skin
     double *coefficients, *energy, *functions;
     uint32_t *lowest; // vertex of each cell of the ground
+    double *growth;   // of each place of the stretch
     sfi_posture_rows rows;
-    size_t vertex_counts[SFI_SKINS_MAX], memory_count, row_capacity;
+    size_t vertex_counts[SFI_SKINS_MAX], memory_count, row_capacity, place_count;
     sf_allocator allocator;
 } sfi_posture_scratch;
 

@@ -235,7 +235,7 @@ static double price_of(const run *r)
 
 static double merit_of(const sfi_posture_state *state, double price)
 {
-    return state->energy + price * (state->unsafe + state->sunk);
+    return state->energy + price * (state->unsafe + state->sunk + state->crushed);
 }
 
 static double longest(const run *r)
@@ -294,8 +294,11 @@ static sf_status go(run *r, uint32_t steps_max, sfi_sqp_report *report)
             return SF_ERR_CANCELLED;
         }
         sf_status status = find_step(r);
+        if (status == SF_ERR_MEMORY) {
+            return status;
+        }
         if (status != SF_OK) {
-            return status == SF_ERR_MEMORY ? status : SF_ERR_INTERNAL;
+            break; // rounding has eaten the program up: what there is must do
         }
         SF_TRY(take_step(r, &report->state, &report->settled));
         report->steps++;

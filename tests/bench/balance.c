@@ -96,8 +96,16 @@ static void begin(bend_work *w)
                                &w->energy));
     sfi_skin skin = {basis, w->view.triangles, &w->incidence};
     w->skin = skin;
-    sfi_posture posture = {&w->energy, &w->skin,     1, 0,       NULL,  w->safe,
-                           32,         &w->standing, 1, w->held, -SIZE, SIZE};
+    sfi_posture posture = {.energy = &w->energy,
+                           .skins = &w->skin,
+                           .skin_count = 1,
+                           .safe = w->safe,
+                           .safe_count = 32,
+                           .standings = &w->standing,
+                           .standing_count = 1,
+                           .held = w->held,
+                           .clearance_mm = -SIZE,
+                           .size_mm = SIZE};
     w->posture = posture;
     bench_must(sfi_posture_scratch_make(&w->posture, &w->allocator, &w->scratch));
 }

@@ -19,6 +19,7 @@
 #include <sf/printing.h>
 #include <sf/repair.h>
 #include <sf/stance.h>
+#include <sf/stand.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
 

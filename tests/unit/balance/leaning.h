@@ -84,8 +84,16 @@ static inline void tower_begin(tower *t, double lean)
     sfi_standing ground = {{0, 0, 1}, 0, 0, 4};
     t->skin = skin;
     t->ground = ground;
-    sfi_posture posture = {&t->energy, &t->skin,   1, 0,       NULL, t->safe,
-                           4,          &t->ground, 1, t->held, 0.5,  TOWER};
+    sfi_posture posture = {.energy = &t->energy,
+                           .skins = &t->skin,
+                           .skin_count = 1,
+                           .safe = t->safe,
+                           .safe_count = 4,
+                           .standings = &t->ground,
+                           .standing_count = 1,
+                           .held = t->held,
+                           .clearance_mm = 0.5,
+                           .size_mm = TOWER};
     t->posture = posture;
     for (int p = SFI_POSE_SIZE; p < PARAMETERS; p++) {
         t->free[p] = p % SFI_POSE_SIZE < SFI_POSE_TURN;
