@@ -1,0 +1,520 @@
+// SPDX-License-Identifier: MIT
+// Why: this is what a person wants: a model that fell stands. Nothing here is taken from the
+// library's own report: from the two meshes that come out, the weight, the tilt that is survived,
+// the thickness of the wall and what touches the ground are computed again, from their definitions.
+
+#include "bottle.h"
+#include "failing_allocator.h"
+
+#include <sf/stand.h>
+
+#define DEGREE 0.017453292519943295
+
+static const double middle_mm[3] = {0, 0, 24};
+
+// Handles on the axis of a bottle: a third up, two thirds, and the neck.
+static size_t handles_of(double lean, sf_handle *handles)
+{
+    for (int j = 0; j < 3; j++) {
+        double z = 16 + 13 * j;
+        sf_handle h = {.kind = SF_HANDLE_POINT, .at_mm = {lean * z, 0, z}};
+        handles[j] = h;
+    }
+    return 3;
+}
+
+static sf_stand_options options_of(int deform, sf_carve_mode mode)
+{
+    sf_stand_options o = sf_stand_options_default();
+    o.pitch_mm = 1;
+    o.wall_mm = 1.2;
+    o.deform = deform;
+    o.carve_mode = mode;
+    return o;
+}
+
+static sf_stand *make(double lean, const sf_stand_options *o, size_t stance_count,
+                      const sf_stance_options *stances)
+{
+    sf_handle handles[3];
+    sf_stand *stand = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_mesh *mesh = bottle(lean);
+    sf_status status = sf_stand_create(sf_mesh_get_view(mesh), stances, stance_count, handles,
+                                       handles_of(lean, handles), o, NULL, NULL, &stand, &fault);
+    CHECK_EQ(status, SF_OK);
+    if (status != SF_OK) {
+        printf("# %s\n", fault.message);
+    }
+    sf_mesh_destroy(mesh);
+    return stand;
+}
+
+// --- From the definitions ------------------------------------------------------------------------
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double *a, const double *b, double *out)
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// Adds mass and moments of the tetrahedra between the origin and the triangles.
+static void weigh(sf_mesh_view mesh, double sums[4])
+{
+    for (size_t t = 0; t < mesh.triangle_count; t++) {
+        const double *p[3];
+        double n[3];
+        for (size_t i = 0; i < 3; i++) {
+            p[i] = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + i];
+        }
+        cross(p[1], p[2], n);
+        double six = dot(p[0], n);
+        sums[0] += six / 6;
+        for (int d = 0; d < 3; d++) {
+            sums[1 + d] += six / 24 * (p[0][d] + p[1][d] + p[2][d]);
+        }
+    }
+}
+
+static void centre_of(const sf_stand *stand, double com[3])
+{
+    double sums[4] = {0, 0, 0, 0};
+    weigh(sf_stand_outer(stand), sums);
+    weigh(sf_stand_cavity(stand), sums);
+    for (int d = 0; d < 3; d++) {
+        com[d] = sums[1 + d] / sums[0];
+    }
+}
+
+// The least tilt that makes it fall: over all directions of a fine fan, the furthest vertex on the
+// ground in that direction decides.
+static double margin_of(const sf_stand *stand)
+{
+    sf_mesh_view outer = sf_stand_outer(stand);
+    double com[3], least = 1e9;
+    centre_of(stand, com);
+    for (int i = 0; i < 3600; i++) {
+        double angle = i * 6.283185307179586 / 3600, furthest = -1e9;
+        const double way[3] = {cos(angle), sin(angle), 0};
+        for (size_t v = 0; v < outer.vertex_count; v++) {
+            const double *p = outer.vertices + 3 * v;
+            if (p[2] < 1e-9 && dot(p, way) > furthest) {
+                furthest = dot(p, way);
+            }
+        }
+        least = fmin(least, atan2(furthest - dot(com, way), com[2]));
+    }
+    return least;
+}
+
+// Distance of a point to a triangle: the least over its inside, where the foot falls into it, and
+// its three edges.
+static double distance(const double *p, const double *a, const double *b, const double *c)
+{
+    const double *corner[4] = {a, b, c, a};
+    double u[3], v[3], n[3], least = 1e9, inside = 1;
+    for (int d = 0; d < 3; d++) {
+        u[d] = b[d] - a[d];
+        v[d] = c[d] - a[d];
+    }
+    cross(u, v, n);
+    for (int e = 0; e < 3; e++) {
+        double edge[3], to[3], side[3], away = 0;
+        for (int d = 0; d < 3; d++) {
+            edge[d] = corner[e + 1][d] - corner[e][d];
+            to[d] = p[d] - corner[e][d];
+        }
+        cross(n, edge, side);
+        inside = dot(side, to) < 0 ? 0 : inside;
+        double along = fmin(1, fmax(0, dot(to, edge) / dot(edge, edge)));
+        for (int d = 0; d < 3; d++) {
+            away += (to[d] - along * edge[d]) * (to[d] - along * edge[d]);
+        }
+        least = fmin(least, sqrt(away));
+        if (e == 2 && inside > 0) {
+            least = fmin(least, fabs(dot(n, to)) / sqrt(dot(n, n)));
+        }
+    }
+    return least;
+}
+
+static double wall_of(const sf_stand *stand)
+{
+    sf_mesh_view outer = sf_stand_outer(stand), cavity = sf_stand_cavity(stand);
+    double least = 1e9;
+    for (size_t v = 0; v < cavity.vertex_count; v += 7) {
+        for (size_t t = 0; t < outer.triangle_count; t++) {
+            const uint32_t *i = outer.triangles + 3 * t;
+            least = fmin(least, distance(cavity.vertices + 3 * v, outer.vertices + 3 * (size_t)i[0],
+                                         outer.vertices + 3 * (size_t)i[1],
+                                         outer.vertices + 3 * (size_t)i[2]));
+        }
+    }
+    return least;
+}
+
+static void check_standing(const sf_stand *stand, double gamma, double wall_mm)
+{
+    sf_stand_report r = sf_stand_describe(stand);
+    double com[3], sums[4] = {0, 0, 0, 0};
+    sf_topology topology;
+    sf_mesh_view cavity = sf_stand_cavity(stand);
+    CHECK(r.ended && r.safe && r.stands && r.folded == 0 && r.overlap_voxels == 0);
+    CHECK(margin_of(stand) >= gamma - 1e-4);
+    CHECK_NEAR(margin_of(stand), r.margin_rad, 1e-4);
+    centre_of(stand, com);
+    for (int d = 0; d < 3; d++) {
+        CHECK_NEAR(com[d], r.com_mm[d], 1e-9);
+    }
+    CHECK(wall_of(stand) >= wall_mm - 1e-9);
+    CHECK_EQ(sf_mesh_analyze(cavity, NULL, &topology), SF_OK);
+    CHECK(topology.closed && topology.oriented);
+    weigh(cavity, sums);
+    CHECK_NEAR(-sums[0], r.carved_mm3, 1e-6);
+    CHECK(r.carved_mm3 > 0);
+}
+
+// --- Cases ---------------------------------------------------------------------------------------
+
+static void carving_alone(void)
+{
+    sf_stand_options o = options_of(0, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_stand *stand = make(0.21, &o, 1, &stance);
+    CHECK(sf_stand_describe(stand).margin_rad < 3 * DEGREE && margin_of(stand) < 3 * DEGREE);
+    stance.gamma_rad = 3 * DEGREE;
+    sf_stand_destroy(stand);
+    stand = make(0.21, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    check_standing(stand, 3 * DEGREE, 1.2);
+    CHECK_EQ(sf_stand_describe(stand).rounds, 1);
+    // The outside is as it was handed in.
+    sf_mesh *mesh = bottle(0.21);
+    sf_mesh_view given = sf_mesh_get_view(mesh), now = sf_stand_outer(stand);
+    CHECK(memcmp(given.vertices, now.vertices, 24 * given.vertex_count) == 0);
+    CHECK(memcmp(given.triangles, now.triangles, 12 * given.triangle_count) == 0);
+    sf_mesh_destroy(mesh);
+    sf_stand_destroy(stand);
+}
+
+static void bending_and_carving(void)
+{
+    const sf_carve_mode modes[2] = {SF_CARVE_PLANE, SF_CARVE_SUPPORT_FREE};
+    for (int m = 0; m < 2; m++) {
+        sf_stand_options o = options_of(1, modes[m]);
+        sf_stance_options stance = sf_stance_options_default();
+        sf_stand *stand = make(0.35, &o, 1, &stance);
+        CHECK(margin_of(stand) < -5 * DEGREE);
+        CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+        check_standing(stand, 4 * DEGREE, 1.2);
+        sf_stand_report r = sf_stand_describe(stand);
+        CHECK(r.rounds > 1 && r.energy > 0 && r.displacement_mm > 1);
+        CHECK(modes[m] == SF_CARVE_PLANE || r.hanging_voxels == 0);
+        // The foot is where it was, and nothing else comes near the ground.
+        sf_mesh_view now = sf_stand_outer(stand);
+        for (size_t v = 0; v < now.vertex_count; v++) {
+            int foot = v < BOTTLE_AROUND || v == BOTTLE_RINGS * BOTTLE_AROUND;
+            CHECK(foot ? fabs(now.vertices[3 * v + 2]) < 1e-12 : now.vertices[3 * v + 2] > 0.4);
+        }
+        sf_stand_destroy(stand);
+    }
+}
+
+static void without_carving(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    o.carve = 0;
+    sf_stand *stand = make(0.35, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    CHECK(sf_stand_describe(stand).safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
+    CHECK_EQ(sf_stand_cavity(stand).triangle_count, 0);
+    sf_stand_destroy(stand);
+}
+
+// A mass low on the far side does for a bottle what bending would.
+static void ballast_counts(void)
+{
+    sf_ballast magnet = {6000, {-3, 0, 2}};
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    o.carve = 0;
+    o.ballast = &magnet;
+    o.ballast_count = 1;
+    sf_stand *stand = make(0.2, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    sf_stand_report r = sf_stand_describe(stand);
+    CHECK(r.safe && r.rounds == 1 && r.displacement_mm < 1e-9);
+    sf_stand_destroy(stand);
+}
+
+// What is denser below the middle.
+static double heavy_below(void *user, const double p_mm[3])
+{
+    const double *middle = user;
+    return p_mm[2] < middle[2] - 12 ? 6 : 1;
+}
+
+static void density_counts(void)
+{
+    sf_stance_options stance = sf_stance_options_default();
+    double energies[2];
+    for (int heavy = 0; heavy < 2; heavy++) {
+        sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+        double middle[3];
+        memcpy(middle, middle_mm, sizeof middle);
+        o.carve = 0;
+        o.density = heavy ? heavy_below : NULL;
+        o.density_user = middle;
+        sf_stand *stand = make(0.35, &o, 1, &stance);
+        CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+        CHECK(sf_stand_describe(stand).safe);
+        energies[heavy] = sf_stand_describe(stand).energy;
+        sf_stand_destroy(stand);
+    }
+    CHECK(energies[1] < 0.5 * energies[0]);
+}
+
+// Standing on its foot, and hanging from its neck with the neck up.
+static void two_stances_at_once(void)
+{
+    sf_stance_options stances[2] = {sf_stance_options_default(), sf_stance_options_default()};
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    stances[1].kind = SF_STANCE_HANG;
+    stances[1].tolerance_rad = 2 * DEGREE;
+    stances[1].point_mm[0] = 0.06 * BOTTLE_HEIGHT;
+    stances[1].point_mm[2] = BOTTLE_HEIGHT;
+    sf_stand *stand = make(0.06, &o, 2, stances);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    sf_stand_report r = sf_stand_describe(stand);
+    CHECK(r.safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
+    double com[3];
+    centre_of(stand, com);
+    double aside = hypot(com[0] - stances[1].point_mm[0], com[1]);
+    CHECK(atan2(aside, BOTTLE_HEIGHT - com[2]) <= 2 * DEGREE + 1e-6);
+    sf_stand_destroy(stand);
+}
+
+static void backwards(void *user, size_t count, sf_task_body body, void *context)
+{
+    (void)user;
+    while (count > 0) {
+        body(context, --count);
+    }
+}
+
+static void threads_change_nothing(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_SUPPORT_FREE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_task task = sf_task_default();
+    task.parallel_for = backwards;
+    sf_stand *one = make(0.3, &o, 1, &stance), *other = make(0.3, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(one, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_stand_run(other, &task, NULL), SF_OK);
+    sf_mesh_view a = sf_stand_outer(one), b = sf_stand_outer(other);
+    CHECK(memcmp(a.vertices, b.vertices, 24 * a.vertex_count) == 0);
+    CHECK(sf_grid_equal(sf_stand_grid(one), sf_stand_grid(other)));
+    sf_stand_destroy(one);
+    sf_stand_destroy(other);
+}
+
+// A handle that a person has moved stays there when it is locked, and the rest makes up for it.
+static void a_person_may_pose(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_stand *stand = make(0.1, &o, 1, &stance);
+    sf_pose pose = sf_pose_identity();
+    pose.shift_mm[0] = 8;
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_stand_set_pose(stand, 2, &pose, 1), SF_OK);
+    CHECK(!sf_stand_describe(stand).ended);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    CHECK(sf_stand_describe(stand).safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
+    CHECK(sf_stand_get_pose(stand, 2).shift_mm[0] == 8);
+    CHECK_EQ(sf_stand_set_pose(stand, 3, &pose, 1), SF_ERR_ARGUMENT);
+    pose.scale = 0;
+    CHECK_EQ(sf_stand_set_pose(stand, 0, &pose, 1), SF_ERR_ARGUMENT);
+    CHECK(sf_stand_get_pose(stand, 9).scale == 1);
+    sf_stand_destroy(stand);
+}
+
+// With everything locked and nothing to carve it cannot stand: it must say so, and change nothing.
+static void what_cannot_stand_says_so(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_pose pose = sf_pose_identity();
+    o.carve = 0;
+    sf_stand *stand = make(0.5, &o, 1, &stance);
+    for (size_t j = 0; j < 3; j++) {
+        CHECK_EQ(sf_stand_set_pose(stand, j, &pose, 1), SF_OK);
+    }
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    sf_stand_report r = sf_stand_describe(stand);
+    CHECK(r.ended && !r.safe && !r.stands && r.margin_rad < 0 && r.displacement_mm < 1e-9);
+    CHECK_NEAR(r.margin_rad, r.margin_before_rad, 1e-9);
+    sf_stand_destroy(stand);
+}
+
+static sf_status create(sf_mesh_view mesh, const sf_stance_options *stance, size_t stances,
+                        const sf_handle *handles, size_t count, const sf_stand_options *o)
+{
+    sf_stand *stand = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status =
+        sf_stand_create(mesh, stance, stances, handles, count, o, NULL, NULL, &stand, &fault);
+    CHECK(status == SF_OK || (stand == NULL && fault.message[0] != '\0'));
+    sf_stand_destroy(stand);
+    return status;
+}
+
+static void nonsense_is_refused(void)
+{
+    sf_mesh *mesh = bottle(0.2);
+    sf_mesh_view view = sf_mesh_get_view(mesh), open = view;
+    sf_stance_options stance = sf_stance_options_default(), none = stance;
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE), bad;
+    sf_handle handles[3], outside = {.at_mm = {99, 0, 0}}, base = {.kind = SF_HANDLE_BASE};
+    handles_of(0.2, handles);
+    open.triangle_count--;
+    CHECK_EQ(create(open, &stance, 1, handles, 3, &o), SF_ERR_UNSUPPORTED);
+    CHECK_EQ(create(view, NULL, 1, handles, 3, &o), SF_ERR_ARGUMENT);
+    CHECK_EQ(create(view, &stance, 0, handles, 3, &o), SF_ERR_ARGUMENT);
+    CHECK_EQ(create(view, &stance, 33, handles, 3, &o), SF_ERR_ARGUMENT);
+    CHECK_EQ(create(view, &stance, 1, NULL, 3, &o), SF_ERR_ARGUMENT);
+    CHECK_EQ(create(view, &stance, 1, handles, 64, &o), SF_ERR_ARGUMENT);
+    CHECK_EQ(create(view, &stance, 1, &outside, 1, &o), SF_ERR_INFEASIBLE);
+    CHECK_EQ(create(view, &stance, 1, &base, 1, &o), SF_ERR_ARGUMENT);
+    none.region_low_mm[2] = 100; // no contact there
+    CHECK_EQ(create(view, &none, 1, handles, 3, &o), SF_ERR_ARGUMENT);
+    const double values[] = {-1, NAN, INFINITY};
+    for (int i = 0; i < 3; i++) {
+        bad = o, bad.pitch_mm = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+        bad = o, bad.wall_mm = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+        bad = o, bad.mu = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+        bad = o, bad.scale_low = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+        bad = o, bad.weight_details = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+        bad = o, bad.reserve_rad = values[i];
+        CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+    }
+    bad = o, bad.struct_size = 0;
+    CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+    bad = o, bad.strut_width_vx = 0;
+    CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+    bad = o, bad.ballast_count = 1;
+    CHECK_EQ(create(view, &stance, 1, handles, 3, &bad), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_stand_round(NULL, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_stand_run(NULL, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK(sf_stand_outer(NULL).vertex_count == 0 && sf_stand_grid(NULL) == NULL);
+    CHECK(sf_stand_describe(NULL).rounds == 0 && sf_stand_stance(NULL, 0) == NULL);
+    sf_stand_destroy(NULL);
+    sf_mesh_destroy(mesh);
+}
+
+// A wall thicker than the part leaves nothing to carve: that is no error, and no cavity.
+static void a_wall_thicker_than_the_part(void)
+{
+    sf_stand_options o = options_of(0, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    o.wall_mm = 100;
+    sf_stand *stand = make(0.05, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_stand_cavity(stand).triangle_count, 0);
+    sf_stand_destroy(stand);
+}
+
+typedef struct countdown {
+    sf_task task;
+    int left;
+} countdown;
+
+static void count_down(void *user, double fraction)
+{
+    countdown *c = user;
+    CHECK(fraction >= 0 && fraction <= 1);
+    if (c->left-- == 0) {
+        sf_task_cancel(&c->task);
+    }
+}
+
+// Cancelled at the k-th report of progress: it is as the last whole round left it, and goes on.
+static void cancelled_it_goes_on(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_stand *whole = make(0.35, &o, 1, &stance);
+    CHECK_EQ(sf_stand_run(whole, NULL, NULL), SF_OK);
+    for (int k = 0; k < 60; k += 13) {
+        sf_stand *stand = make(0.35, &o, 1, &stance);
+        countdown c = {sf_task_default(), k};
+        c.task.progress = count_down;
+        c.task.user = &c;
+        sf_status status = sf_stand_run(stand, &c.task, NULL);
+        CHECK(status == SF_OK || status == SF_ERR_CANCELLED);
+        CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+        CHECK(memcmp(sf_stand_outer(stand).vertices, sf_stand_outer(whole).vertices,
+                     24 * sf_stand_outer(whole).vertex_count) == 0);
+        sf_stand_destroy(stand);
+    }
+    sf_stand_destroy(whole);
+}
+
+// Every request for memory that can fail does, once, here and there among the first thousands.
+static void memory_may_fail(void)
+{
+    sf_mesh *mesh = bottle(0.3);
+    sf_handle handles[3];
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    o.pitch_mm = 3;
+    o.wall_mm = 1;
+    o.rounds_max = 2;
+    size_t count = handles_of(0.3, handles);
+    sf_status status = SF_ERR_MEMORY;
+    for (long k = 0; status == SF_ERR_MEMORY && k < 100000; k += 1 + k / 20) {
+        failing_allocator failing;
+        sf_stand *stand = NULL;
+        failing_begin(&failing, k);
+        status = sf_stand_create(sf_mesh_get_view(mesh), &stance, 1, handles, count, &o,
+                                 &failing.allocator, NULL, &stand, NULL);
+        CHECK((status == SF_OK) == (stand != NULL));
+        if (status == SF_OK) {
+            status = sf_stand_run(stand, NULL, NULL);
+        }
+        sf_stand_destroy(stand);
+        CHECK(failing.live == 0 && failing.faults == 0);
+    }
+    CHECK_EQ(status, SF_OK);
+    sf_mesh_destroy(mesh);
+}
+
+int main(void)
+{
+    TEST(carving_alone);
+    TEST(bending_and_carving);
+    TEST(without_carving);
+    TEST(ballast_counts);
+    TEST(density_counts);
+    TEST(two_stances_at_once);
+    TEST(threads_change_nothing);
+    TEST(a_person_may_pose);
+    TEST(what_cannot_stand_says_so);
+    TEST(nonsense_is_refused);
+    TEST(a_wall_thicker_than_the_part);
+    TEST(cancelled_it_goes_on);
+    TEST(memory_may_fail);
+    return test_finish();
+}
