@@ -94,6 +94,14 @@ sf_status sfi_stand_take_handles(const sf_handle *handles, size_t count, sf_task
 sf_status sfi_carved_make(const sf_stand *stand, const double *bent, const sf_pose *poses,
                           sf_stance *const *stances, sf_carve_goal goal, sf_task *task,
                           sfi_carved *carved);
+// Whether a bound can be given: all stances stand, and something is carved.
+int sfi_stand_has_best(const sf_stand *stand);
+
+// The margin that no carving of the solid can pass; `rest` is what weighs and is no voxel of it.
+sf_status sfi_stand_best(const sf_stand *stand, const sf_grid *solid, const sf_grid *wall,
+                         const float *density, const sf_body *rest, sf_task *task,
+                         double *bound_rad);
+
 void sfi_carved_free(const sf_stand *stand, sfi_carved *carved);
 
 #endif

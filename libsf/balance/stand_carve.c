@@ -256,6 +256,11 @@ static sf_status carve(carving *c, sf_stance *const *stances, sf_carve_goal goal
     options.stances = (const sf_stance *const *)stances;
     options.stance_count = s->stance_count;
     options.strut_width_vx = s->options.strut_width_vx;
+    if (s->report.rounds == 0 && sfi_stand_has_best(s)) {
+        c->made.has_bound = 1;
+        SF_TRY(sfi_stand_best(s, c->made.solid, c->wall, c->density, &options.rest, c->task,
+                              &c->made.bound_rad));
+    }
     return sf_grid_carve(c->made.solid, c->wall, &terms, &options, a, c->task, c->made.result,
                          NULL);
 }
@@ -318,7 +323,6 @@ static sf_status follow_back(carving *c)
 
 static sf_status weigh(carving *c)
 {
-    const sf_lattice *l = &c->lattice;
     sf_body cavity = {0, {0, 0, 0}}, plain, dense;
     SF_TRY(sf_mesh_body(c->outside, 1, &c->made.body));
     if (sf_mesh_get_view(c->made.cavity).triangle_count > 0) {
@@ -326,7 +330,6 @@ static sf_status weigh(carving *c)
     }
     c->made.body = sf_body_add(c->made.body, 1, cavity);
     c->made.body = sf_body_add(c->made.body, 1, c->ballast);
-    (void)l;
     if (c->density != NULL) {
         SF_TRY(sf_grid_body(c->made.result, NULL, NULL, &plain));
         SF_TRY(sf_grid_body(c->made.result, c->density, NULL, &dense));

@@ -194,6 +194,8 @@ static void carving_alone(void)
     CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
     check_standing(stand, 3 * DEGREE, 1.2);
     CHECK_EQ(sf_stand_describe(stand).rounds, 1);
+    CHECK(sf_stand_describe(stand).bound_rad > sf_stand_describe(stand).margin_rad);
+    CHECK(sf_stand_describe(stand).bound_rad < 30 * DEGREE);
     // The outside is as it was handed in.
     sf_mesh *mesh = bottle(0.21);
     sf_mesh_view given = sf_mesh_get_view(mesh), now = sf_stand_outer(stand);
@@ -236,6 +238,24 @@ static void without_carving(void)
     CHECK(sf_stand_describe(stand).safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
     CHECK_EQ(sf_stand_cavity(stand).triangle_count, 0);
     sf_stand_destroy(stand);
+}
+
+// Where the bound says that no carving will do, none does; and where all is asked for, carving
+// comes close to it.
+static void carving_keeps_to_its_bound(void)
+{
+    const double leans[] = {0.1, 0.2, 0.3, 0.4};
+    for (int i = 0; i < 4; i++) {
+        sf_stand_options o = options_of(0, i % 2 == 0 ? SF_CARVE_PLANE : SF_CARVE_SUPPORT_FREE);
+        sf_stance_options stance = sf_stance_options_default();
+        stance.gamma_rad = 60 * DEGREE;
+        sf_stand *stand = make(leans[i], &o, 1, &stance);
+        CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+        sf_stand_report r = sf_stand_describe(stand);
+        CHECK(!r.safe && r.margin_rad <= r.bound_rad + 1e-3);
+        CHECK(r.margin_rad > r.bound_rad - 3 * DEGREE && r.margin_rad >= r.margin_before_rad);
+        sf_stand_destroy(stand);
+    }
 }
 
 // A mass low on the far side does for a bottle what bending would.
@@ -506,6 +526,7 @@ int main(void)
     TEST(carving_alone);
     TEST(bending_and_carving);
     TEST(without_carving);
+    TEST(carving_keeps_to_its_bound);
     TEST(ballast_counts);
     TEST(density_counts);
     TEST(two_stances_at_once);
