@@ -83,8 +83,9 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * @param grid       the shape, changed in place
  * @param options    terms, costs, width
  * @param allocator  for working memory: NULL for the C library's
- * @param task       NULL, or progress; a cancel is honoured between sweeps and at every layer of
- * most
+ * @param task       NULL, or progress; a cancel is honoured at every layer of every sweep, and
+ * within layers where one takes long; no report comes after it but that of the layer that was at
+ * work
  * @param culprits   NULL, or a grid that is set, on SF_ERR_INFEASIBLE, to the voxels that must stay
  *                   and cannot; giving up just these, or exempting them, makes the rest possible
  * @param report     NULL, or where counts are left; on SF_ERR_INFEASIBLE only the number of

@@ -38,9 +38,7 @@ static sf_status grow_rest(const sfi_job *job, const sf_terms *terms, const sf_g
         SF_TRY(sf_slice_and(sf_grid_slice(grown, k), sf_grid_slice(job->drawn, k),
                             sf_grid_slice(room, k)));
     }
-    sfi_part part;
-    sfi_part_begin(&part, job->progress, 0, 0);
-    return sf_grid_grow(grown, terms, job->allocator, &part.task, NULL, NULL);
+    return sf_grid_grow(grown, terms, job->allocator, sfi_pace_next(job->pace), NULL, NULL);
 }
 
 sf_status sfi_grow_if_cheaper(const sfi_job *job, const sf_terms *terms, const sf_grid *room,

@@ -45,6 +45,7 @@ typedef struct probe {
     sfi_carrier carrier;
     sfi_front fronts[2];
     int64_t budget;
+    sfi_sweep sweep;
     place *places; // additions of a layer, or what a beam has changed
     size_t count, capacity;
 } probe;
@@ -67,10 +68,15 @@ static int layer_stands(probe *p, uint32_t k)
            sf_slice_equal(front.alive, solid);
 }
 
-// Whether the result stands after a change of layer k.
+// Whether the result stands after a change of layer k. A cancel uses the budget up, and is found
+// out about before the next layer, or by the last trim.
 static int stands(probe *p, uint32_t k)
 {
     uint32_t top = p->job->lattice.nz, from = k, to = top - k > 2 ? k + 2 : top;
+    if (sfi_sweep_pause(&p->sweep) != SF_OK) {
+        p->budget = 0;
+        return 0;
+    }
     if (p->job->rule.kind == SF_RULE_SLACK) {
         from = p->job->bed;
         to = top;
@@ -161,10 +167,9 @@ static void thin_places(probe *p, uint32_t k)
 
 static sf_status thin(probe *p)
 {
+    p->sweep = sfi_sweep_begin(p->job->pace, p->job->lattice.nz - p->job->bed);
     for (uint32_t k = p->job->lattice.nz; k-- > p->job->bed && p->budget > 0;) {
-        if (sf_task_is_cancelled(p->job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&p->sweep));
         SF_TRY(find_additions(p, k));
         if (p->count > 0) {
             thin_places(p, k);
@@ -293,10 +298,9 @@ static sf_status try_beams(probe *p, const place *at)
 
 static sf_status beams(probe *p)
 {
+    p->sweep = sfi_sweep_begin(p->job->pace, p->job->lattice.nz - p->job->bed);
     for (uint32_t k = p->job->lattice.nz; k-- > p->job->bed + 1 && p->budget > 0;) {
-        if (sf_task_is_cancelled(p->job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&p->sweep));
         sf_slice slice = sf_grid_slice(p->result, k), drawn = sf_grid_slice(p->job->drawn, k);
         for (uint32_t y = 0; y < slice.height; y++) {
             for (uint32_t x = 0; x < slice.width && p->budget > 0; x++) {
@@ -324,7 +328,8 @@ static sf_status put_back(probe *p)
         sf_slice slice = sf_grid_slice(p->result, k);
         SF_TRY(sf_slice_or(slice, slice, sf_grid_slice(job->drawn, k)));
     }
-    return sfi_trim_into(p->result, p->result, p->full, job->bed, job->allocator, NULL);
+    return sfi_trim_into(p->result, p->result, p->full, job->bed, job->allocator,
+                         sfi_pace_next(job->pace));
 }
 
 static sf_status probe_work(probe *p)

@@ -63,11 +63,10 @@ static sf_status take_away(const sfi_job *job, sf_grid *result)
 {
     sf_element e = {0, {0}};
     sf_slice none = SFI_NO_SLICE;
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, job->lattice.nz - job->bed);
     for (uint32_t k = job->lattice.nz; k-- > job->bed;) {
         sf_slice slice = sf_grid_slice(result, k), drawn = sf_grid_slice(job->drawn, k);
-        if (sf_task_is_cancelled(job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&sweep));
         if (k + 1 == job->lattice.nz) {
             SF_TRY(sf_slice_and(slice, slice, drawn));
             continue;
@@ -86,6 +85,7 @@ sf_status sfi_cleanup(const sfi_job *job, sf_grid *result)
         sf_slice slice = sf_grid_slice(result, k);
         SF_TRY(sf_slice_or(slice, slice, sf_grid_slice(job->drawn, k)));
     }
-    SF_TRY(sfi_trim_into(result, result, &terms, job->bed, job->allocator, NULL));
+    SF_TRY(
+        sfi_trim_into(result, result, &terms, job->bed, job->allocator, sfi_pace_next(job->pace)));
     return sfi_rule_is_element(&job->rule) ? take_away(job, result) : SF_OK;
 }

@@ -11,7 +11,6 @@
 #include "support/repair/repair.h"
 
 #include "base/status.h"
-#include "base/task.h"
 #include "support/rule/carry.h"
 
 // Codes of layer k, within its rectangle.
@@ -32,12 +31,11 @@ static void keep_codes(const sfi_job *job, const sfi_front *front, const sfi_pri
 static sf_status sweep_field(const sfi_job *job, const sfi_price *p, const sf_grid *grid,
                              const sfi_carrier *carrier, const sfi_front *fronts, uint8_t *codes)
 {
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, p->top - job->bed);
     for (uint32_t k = job->bed; k < p->top; k++) {
         sf_slice solid = sf_grid_slice(grid, k), exempt = sfi_mask_slice(job->exempt, k);
         const sfi_front *front = &fronts[k % 2], *below = &fronts[(k + 1) % 2];
-        if (sf_task_is_cancelled(job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&sweep));
         SF_TRY(k == job->bed ? sfi_carry_bed(carrier, solid, *front)
                              : sfi_carry(carrier, k, below, solid, exempt, *front, SFI_NO_SLICE));
         keep_codes(job, front, p, k, codes);

@@ -215,11 +215,10 @@ static sf_status go_down(forest *f)
         return SF_OK;
     }
     SF_TRY(begin_layer(f, &f->here, f->price->top - 1));
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, f->price->top - job->bed);
     for (;;) {
         uint32_t k = f->here.k;
-        if (sf_task_is_cancelled(job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&sweep));
         f->low.count = f->low.drawn = 0;
         if (k > job->bed) {
             sfi_chooser_load(&f->chooser, f->price, k - 1);
@@ -256,8 +255,10 @@ static sf_status go_up(forest *f, sf_grid *result)
     for (uint32_t k = 0; k < job->lattice.nz; k++) {
         SF_TRY(sf_slice_copy(sf_grid_slice(result, k), sf_grid_slice(job->roots, k)));
     }
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, f->price->top);
     for (uint32_t k = job->bed; k < f->price->top; k++) {
         sf_slice out = sf_grid_slice(result, k);
+        SF_TRY(sfi_sweep_layer(&sweep));
         const record *below = k > job->bed ? f->records + f->first[k - 1] : NULL;
         // Records run from the top down, so a layer ends where the one below begins.
         size_t end = k > job->bed ? f->first[k - 1] : f->count;

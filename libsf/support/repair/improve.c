@@ -104,7 +104,6 @@ typedef struct search {
     uint64_t cost; // of best; SF_REPAIR_NO_COST while there is none
     uint64_t all;  // of keeping everything along the first forest
     int is_small;
-    unsigned step;
     sfi_price price;
     sf_grid *free, *roots, *resting; // of a round
 } search;
@@ -150,13 +149,6 @@ static sf_status try_forest(search *s, const sfi_job *job, int prefer_drawn)
         offer(s);
     }
     return SF_OK;
-}
-
-// Nobody knows how many rounds there will be: the n-th step is done when all but 2^-n is.
-static void report_step(search *s)
-{
-    s->step += s->step < 20;
-    sfi_progress_report(s->job->progress, (1u << s->step) - 1, 1u << s->step);
 }
 
 static sf_status try_forests(search *s)
@@ -212,7 +204,6 @@ static sf_status reforest(search *s, const sfi_job *job, int prefer_drawn)
     sfi_price_terms terms = {job->room, s->free, job->drawn, sfi_job_settled(job)};
     SF_TRY(sfi_price_make(job, &terms, &s->price));
     SF_TRY(try_forest(s, job, prefer_drawn));
-    report_step(s);
     return SF_OK;
 }
 
@@ -347,7 +338,6 @@ sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds,
     sf_status status = sf_grid_create(&job->lattice, job->allocator, &s.trial);
     for (size_t i = 0; status == SF_OK && i < sizeof starts / sizeof starts[0]; i++) {
         status = starts[i](&s);
-        report_step(&s);
         if (i == 0) {
             report->trim_cost = s.cost;
         }

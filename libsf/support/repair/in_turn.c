@@ -77,10 +77,12 @@ static sf_status carry_one(sfi_path_finder *f, const sfi_price *price, sfi_path_
 }
 
 static sf_status carry_layer(sfi_path_finder *f, const sfi_price *price, uint32_t k,
-                             sf_grid *result)
+                             sf_grid *result, sfi_sweep *sweep)
 {
     sf_slice slice = sf_grid_slice(result, k), roots = sf_grid_slice(f->job->roots, k);
+    SF_TRY(sfi_sweep_layer(sweep));
     for (uint32_t y = 0; y < slice.height; y++) {
+        SF_TRY(sfi_sweep_pause(sweep));
         const uint64_t *row = sfi_slice_row(slice, y), *rooted = sfi_slice_row(roots, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~rooted[i]; w != 0; w &= w - 1) {
@@ -101,9 +103,9 @@ sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, sf_grid *
     }
     sf_status status = sfi_path_finder_create(job, &finder);
     finder.grid = result;
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, price->top);
     for (uint32_t k = price->top; status == SF_OK && k-- > job->bed + 1;) {
-        status = sf_task_is_cancelled(job->task) ? SF_ERR_CANCELLED
-                                                 : carry_layer(&finder, price, k, result);
+        status = carry_layer(&finder, price, k, result, &sweep);
     }
     sfi_path_finder_destroy(&finder);
     return status;

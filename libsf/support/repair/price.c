@@ -216,11 +216,10 @@ static void keep_layer(const sweep *s, uint32_t k)
 static sf_status sweep_all(sweep *s)
 {
     const sfi_job *job = s->job;
+    sfi_sweep layers = sfi_sweep_begin(job->pace, s->price->top - job->bed);
     for (uint32_t k = job->bed; k < s->price->top; k++) {
         sf_element element = {0, {0}};
-        if (sf_task_is_cancelled(job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&layers));
         if (k > job->bed) {
             SF_TRY(sf_rule_element(&job->rule, k - 1, &element));
         }
@@ -291,6 +290,7 @@ static sf_status reserve(const sfi_job *job, sfi_price *p)
 
 static sf_status make(const sfi_job *job, const sfi_price_terms *terms, sfi_price *p)
 {
+    SF_TRY(sfi_pace_ask(job->pace));
     SF_TRY(make_rects(job, terms, p));
     if (p->count == 0) {
         return SF_OK;

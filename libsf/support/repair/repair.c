@@ -25,7 +25,6 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
-#include "base/task.h"
 #include "support/repair/against_grow.h"
 #include "support/repair/bridged.h"
 #include "support/repair/improve.h"
@@ -94,8 +93,7 @@ typedef struct call {
     sfi_ground ground;
     sf_terms full; // the caller's rule and exempt voxels, and the bed that it came to
     const sf_allocator *allocator;
-    sf_task *task;
-    sfi_progress progress;
+    sfi_pace pace;
     sf_grid *must, *room, *roots, *result;
     int has_added;
     sf_grid *whole, *added;                         // what only adds
@@ -143,11 +141,9 @@ static sf_status new_grid(const call *c, sf_grid **grid)
     return sf_grid_create(&c->ground.lattice, c->allocator, grid);
 }
 
-static sf_status trim_full(const call *c, sf_grid *to, const sf_grid *from)
+static sf_status trim_full(call *c, sf_grid *to, const sf_grid *from)
 {
-    return sf_task_is_cancelled(c->task)
-               ? SF_ERR_CANCELLED
-               : sfi_trim_into(to, from, &c->full, c->ground.bed, c->allocator, NULL);
+    return sfi_trim_into(to, from, &c->full, c->ground.bed, c->allocator, sfi_pace_next(&c->pace));
 }
 
 static sf_status find_sets(call *c)
@@ -216,7 +212,8 @@ static sf_status set_aside(const call *c, sfi_job *job, sf_rule rule, sf_grid **
     job->room = *room;
     SF_TRY(find_reach(job));
     sf_terms terms = sfi_job_terms(job);
-    return sfi_trim_into(*room, c->room, &terms, job->bed, job->allocator, NULL);
+    return sfi_trim_into(*room, c->room, &terms, job->bed, job->allocator,
+                         sfi_pace_next(job->pace));
 }
 
 static sf_status make_job(call *c, sfi_job *job)
@@ -228,8 +225,7 @@ static sf_status make_job(call *c, sfi_job *job)
                      .add = o->add_cost,
                      .remove = o->remove_cost,
                      .allocator = c->allocator,
-                     .task = c->task,
-                     .progress = &c->progress,
+                     .pace = &c->pace,
                      .drawn = c->grid,
                      .must = c->must,
                      .exempt = o->terms.exempt,
@@ -306,7 +302,7 @@ static sf_status hold_against_adding(call *c, const sfi_job *job)
 }
 
 // Whether the result is support-free under the full rule, holds P and lies in G.
-static sf_status prove(const call *c)
+static sf_status prove(call *c)
 {
     sf_grid *again;
     SF_TRY(new_grid(c, &again));
@@ -472,8 +468,8 @@ sf_status sf_grid_repair(sf_grid *grid, const sf_repair_options *options,
 {
     meter m = {sfi_allocator_or_default(allocator), 0, 0};
     const sf_allocator metered = {meter_alloc, meter_free, &m};
-    call c = {.grid = grid, .options = options, .allocator = &metered, .task = task};
-    c.progress = sfi_progress_begin(task);
+    call c = {.grid = grid, .options = options, .allocator = &metered};
+    sfi_pace_begin(&c.pace, task);
     SF_TRY(check_arguments(grid, options, culprits, &c.ground));
     c.full = sf_terms_default();
     c.full.rule = options->terms.rule;
@@ -481,7 +477,7 @@ sf_status sf_grid_repair(sf_grid *grid, const sf_repair_options *options,
     sf_status status = solve(&c, culprits);
     if (status == SF_OK) {
         finish(&c);
-        sfi_progress_report(&c.progress, 1, 1);
+        sfi_progress_report(&c.pace.whole, 1, 1);
     }
     call_destroy(&c);
     if (report != NULL && (status == SF_OK || status == SF_ERR_INFEASIBLE)) {

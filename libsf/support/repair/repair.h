@@ -7,7 +7,7 @@
 
 #include <sf/repair.h>
 
-#include "base/task.h"
+#include "support/repair/sweep.h"
 #include "support/rule/terms.h"
 
 // One repair. The rule has no bridges (see bridged.c), and `exempt` what they hold in its stead.
@@ -20,8 +20,7 @@ typedef struct sfi_job {
     const uint8_t *add, *remove;
     uint32_t scale; // that costs of adding are multiplied by; at most 128
     const sf_allocator *allocator;
-    sf_task *task;
-    sfi_progress *progress;
+    sfi_pace *pace; // of every sweep that the job makes
     const sf_grid *drawn;
     const sf_grid *must;   // or NULL
     const sf_grid *exempt; // or NULL

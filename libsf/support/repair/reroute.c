@@ -145,10 +145,12 @@ static sf_status reroute_one(router *r, const sfi_path_cell *u)
     return SF_OK;
 }
 
-static sf_status reroute_layer(router *r, uint32_t k)
+static sf_status reroute_layer(router *r, uint32_t k, sfi_sweep *sweep)
 {
     sf_slice slice = sf_grid_slice(r->grid, k), drawn = sf_grid_slice(r->job->drawn, k);
+    SF_TRY(sfi_sweep_layer(sweep));
     for (uint32_t y = 0; y < slice.height; y++) {
+        SF_TRY(sfi_sweep_pause(sweep));
         const uint64_t *row = sfi_slice_row(slice, y), *given = sfi_slice_row(drawn, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
             for (uint64_t w = row[i] & ~given[i]; w != 0; w &= w - 1) {
@@ -168,8 +170,9 @@ sf_status sfi_reroute(const sfi_job *job, sf_grid *result)
     router r = {.job = job, .grid = result};
     sf_status status = sfi_path_finder_create(job, &r.finder);
     r.finder.grid = result;
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, job->lattice.nz - job->bed);
     for (uint32_t k = job->lattice.nz; status == SF_OK && k-- > job->bed;) {
-        status = sf_task_is_cancelled(job->task) ? SF_ERR_CANCELLED : reroute_layer(&r, k);
+        status = reroute_layer(&r, k, &sweep);
     }
     sfi_path_finder_destroy(&r.finder);
     sfi_free_array(job->allocator, r.cells, r.capacity, sizeof *r.cells);

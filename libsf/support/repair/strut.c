@@ -175,11 +175,10 @@ hold_all(const builder *b, uint32_t k, sf_slice what, sf_slice free, const sf_el
 static sf_status build_down(const builder *b)
 {
     const sfi_job *job = b->job;
+    sfi_sweep sweep = sfi_sweep_begin(job->pace, job->lattice.nz - job->bed);
     for (uint32_t k = job->lattice.nz; k-- > job->bed + 1;) {
         sf_element e;
-        if (sf_task_is_cancelled(job->task)) {
-            return SF_ERR_CANCELLED;
-        }
+        SF_TRY(sfi_sweep_layer(&sweep));
         SF_TRY(sf_rule_element(&job->rule, k - 1, &e));
         SF_TRY(hold_all(b, k, sf_grid_slice(b->centres, k), SFI_NO_SLICE, &e, hold_centre));
         SF_TRY(hold_all(b, k, sf_grid_slice(b->thin, k), sfi_mask_slice(job->exempt, k), &e,
@@ -204,7 +203,8 @@ static sf_status find_places(builder *b)
     }
     sf_terms terms = sfi_job_terms(job);
     terms.exempt = b->ends;
-    return sfi_trim_into(b->room, b->room, &terms, job->bed, job->allocator, NULL);
+    return sfi_trim_into(b->room, b->room, &terms, job->bed, job->allocator,
+                         sfi_pace_next(job->pace));
 }
 
 static sf_status find_prices(builder *b)
@@ -287,7 +287,8 @@ static sf_status try_to_keep(choice *c, const sf_grid *wanted, uint64_t *cost)
         sf_slice slice = sf_grid_slice(c->trial, k);
         SF_TRY(sf_slice_or(slice, slice, sf_grid_slice(whole->drawn, k)));
     }
-    SF_TRY(sfi_trim_into(c->trial, c->trial, c->full, whole->bed, whole->allocator, NULL));
+    SF_TRY(sfi_trim_into(c->trial, c->trial, c->full, whole->bed, whole->allocator,
+                         sfi_pace_next(whole->pace)));
     *cost = sfi_job_bill(whole, c->trial).cost;
     if (*cost < c->cost) {
         c->cost = *cost;
@@ -327,7 +328,8 @@ static sf_status prepare(choice *c)
     c->job.exempt = c->exempt;
     c->job.room = c->room;
     sf_terms terms = sfi_job_terms(&c->job);
-    return sfi_trim_into(c->room, whole->room, &terms, whole->bed, whole->allocator, NULL);
+    return sfi_trim_into(c->room, whole->room, &terms, whole->bed, whole->allocator,
+                         sfi_pace_next(whole->pace));
 }
 
 sf_status sfi_strut_widen(const sfi_job *job, const sf_terms *full, uint32_t width, sf_grid *result,

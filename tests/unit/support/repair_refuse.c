@@ -115,6 +115,121 @@ static void changes_nothing_when_cancelled(void)
     }
 }
 
+// A task and an allocator that cancel at the n-th report, or at the n-th request for memory, and
+// count what is still asked of them afterwards.
+typedef struct watch {
+    sf_task task;
+    failing_allocator memory;
+    sf_allocator allocator;
+    long reports, at_report, at_request; // negative: never
+    long late_reports, late_requests;
+    int is_cancelled;
+} watch;
+
+static void cancel_when(watch *w, int is_time)
+{
+    if (is_time) {
+        w->is_cancelled = 1;
+        sf_task_cancel(&w->task);
+    }
+}
+
+static void watch_report(void *user, double fraction)
+{
+    watch *w = user;
+    (void)fraction;
+    w->late_reports += w->is_cancelled;
+    cancel_when(w, w->reports++ == w->at_report);
+}
+
+static void *watch_alloc(void *user, size_t size, size_t align)
+{
+    watch *w = user;
+    w->late_requests += w->is_cancelled;
+    cancel_when(w, w->memory.requests == w->at_request);
+    return w->memory.allocator.alloc(&w->memory, size, align);
+}
+
+static void watch_free(void *user, void *memory, size_t size)
+{
+    watch *w = user;
+    w->memory.allocator.free(&w->memory, memory, size);
+}
+
+static sf_status watched_repair(scene *s, watch *w, long at_report, long at_request)
+{
+    memset(w, 0, sizeof *w);
+    failing_begin(&w->memory, -1);
+    w->task = sf_task_default();
+    w->task.progress = watch_report;
+    w->task.user = w;
+    w->allocator = (sf_allocator){watch_alloc, watch_free, w};
+    w->at_report = at_report;
+    w->at_request = at_request;
+    return sf_grid_repair(s->grid, &s->options, &w->allocator, &w->task, s->culprits, NULL);
+}
+
+// After a cancel: no report but one of a layer that was at work, and no memory but for what was
+// about to begin.
+#define LATE_REQUESTS_MOST 40
+
+static void stops_soon_after_a_cancel(void)
+{
+    long most = 0, runs = 0;
+    for (int number = 0; number < 36 && test_case_failures == 0; number++) {
+        for (int by_memory = 0; by_memory < 2; by_memory++) {
+            sf_status status = SF_ERR_CANCELLED;
+            for (long n = 0; status == SF_ERR_CANCELLED; n += 1 + n / 16) {
+                static watch w;
+                scene s;
+                test_reseed((uint64_t)number + 1);
+                scene_begin(&s, number, 1 + number % 2);
+                status = watched_repair(&s, &w, by_memory ? -1 : n, by_memory ? n : -1);
+                CHECK(w.late_reports <= 1);
+                CHECK(w.late_requests <= LATE_REQUESTS_MOST);
+                CHECK_EQ(w.memory.live, 0);
+                most = w.late_requests > most ? w.late_requests : most;
+                runs += status == SF_OK;
+                if (status == SF_ERR_CANCELLED) {
+                    nothing_changed(&s);
+                }
+                scene_end(&s);
+            }
+        }
+    }
+    printf("# at most %ld requests after a cancel, in %ld whole runs\n", most, runs);
+}
+
+// Each report is a place where a cancel is heard, and each layer of each sweep is one: of the trims
+// too, of which a first result has three, and three other sweeps.
+static void reports_every_layer_of_every_sweep(void)
+{
+    static const uint32_t rounds[3] = {SF_REPAIR_FIRST, 1, 0};
+    static const long sweeps[3] = {6, 12, 16};
+    static watch w;
+    enum { LAYERS = 40 };
+    scene s;
+    scene_begin(&s, 1, 1);
+    for (int i = 0; i < 3; i++) {
+        sf_lattice lattice = {12, 12, LAYERS, 1, 1, 1, NULL, {0, 0, 0}};
+        sf_rect all = {0, 0, 12, 12}, part = {2, 3, 9, 9};
+        scene t = s;
+        CHECK_EQ(sf_grid_create(&lattice, NULL, &t.grid), SF_OK);
+        CHECK_EQ(sf_slice_fill(sf_grid_slice(t.grid, 0), all, 1), SF_OK);
+        for (uint32_t k = LAYERS - 6; k < LAYERS; k++) {
+            CHECK_EQ(sf_slice_fill(sf_grid_slice(t.grid, k), part, 1), SF_OK);
+        }
+        t.culprits = NULL;
+        t.options = sf_repair_options_default();
+        t.options.rounds = rounds[i];
+        CHECK_EQ(watched_repair(&t, &w, -1, -1), SF_OK);
+        CHECK(w.reports >= sweeps[i] * LAYERS);
+        printf("# %ld reports\n", w.reports);
+        sf_grid_destroy(t.grid);
+    }
+    scene_end(&s);
+}
+
 static void changes_nothing_when_cancelled_before(void)
 {
     scene s;
@@ -180,6 +295,8 @@ int main(void)
     TEST(gives_everything_back_when_memory_is_short);
     TEST(changes_nothing_when_cancelled);
     TEST(changes_nothing_when_cancelled_before);
+    TEST(stops_soon_after_a_cancel);
+    TEST(reports_every_layer_of_every_sweep);
     TEST(knows_how_much_memory_it_took);
     return test_finish();
 }
