@@ -31,6 +31,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "support/repair/price_row.h"
+#include "support/rule/carry.h"
 #include "voxel/slice.h"
 
 // ---------------------------------------------------------------------------------------------
@@ -118,8 +119,10 @@ typedef struct sweep {
     sfi_price *price;
     sfi_plane plane;
     int16_t *below, *here;      // planes
-    uint8_t *low_codes, *codes; // planes, under slack
-    sfi_price_lanes lanes;      // rows
+    int16_t *low_codes, *codes; // planes, under slack
+    sfi_step *steps;            // the same, of the layer at work
+    size_t step_count;
+    sfi_price_lanes lanes; // rows
 } sweep;
 
 static sf_status sweep_create(sweep *s)
@@ -129,11 +132,13 @@ static sf_status sweep_create(sweep *s)
     s->below = sfi_alloc_array(job->allocator, count, sizeof *s->below);
     s->here = sfi_alloc_array(job->allocator, count, sizeof *s->here);
     if (s->price->codes != NULL) {
-        s->low_codes = sfi_alloc_array(job->allocator, count, 1);
-        s->codes = sfi_alloc_array(job->allocator, count, 1);
+        s->low_codes = sfi_alloc_array(job->allocator, count, sizeof *s->low_codes);
+        s->codes = sfi_alloc_array(job->allocator, count, sizeof *s->codes);
+        s->steps = sfi_alloc_array(job->allocator, sfi_steps_most(job), sizeof *s->steps);
     }
-    int good = s->below != NULL && s->here != NULL &&
-               (s->price->codes == NULL || (s->low_codes != NULL && s->codes != NULL));
+    int good =
+        s->below != NULL && s->here != NULL &&
+        (s->price->codes == NULL || (s->low_codes != NULL && s->codes != NULL && s->steps != NULL));
     SF_TRY(sfi_price_lanes_create(&s->lanes, &s->plane, job->allocator));
     for (size_t i = 0; good && i < count; i++) {
         s->below[i] = s->here[i] = SFI_PRICE_NONE;
@@ -150,8 +155,9 @@ static void sweep_destroy(sweep *s)
     size_t count = s->plane.count;
     sfi_free_array(a, s->below, count, sizeof *s->below);
     sfi_free_array(a, s->here, count, sizeof *s->here);
-    sfi_free_array(a, s->low_codes, count, 1);
-    sfi_free_array(a, s->codes, count, 1);
+    sfi_free_array(a, s->low_codes, count, sizeof *s->low_codes);
+    sfi_free_array(a, s->codes, count, sizeof *s->codes);
+    sfi_free_array(a, s->steps, sfi_steps_most(s->job), sizeof *s->steps);
     sfi_price_lanes_destroy(&s->lanes, a);
 }
 
@@ -169,19 +175,35 @@ static sfi_price_voxels voxels_of(const sweep *s, uint32_t k, uint32_t y)
     return v;
 }
 
+// What a row is made from under slack; `at` is its first element in the planes.
+static sfi_price_labels labels_of(const sweep *s, uint32_t k, size_t at)
+{
+    const sf_rule *rule = &s->job->rule;
+    sfi_price_labels labels = {.below = s->below + at,
+                               .low_codes = s->low_codes + at,
+                               .here = s->here + at,
+                               .codes = s->codes + at,
+                               .steps = s->steps,
+                               .step_count = s->step_count,
+                               .gain = k > s->job->bed ? sfi_slack_gain(rule, k - 1) : 0,
+                               .top = (int16_t)(rule->slack_cap + 1)};
+    return labels;
+}
+
 // Prices of layer k within its rectangle, from those below.
-static sf_status sweep_layer(sweep *s, uint32_t k, const sf_element *element)
+static void sweep_layer(sweep *s, uint32_t k, const sf_element *element)
 {
     sf_rect r = s->price->rects[k];
+    if (s->codes != NULL && k > s->job->bed) {
+        s->step_count = sfi_steps_of(s->job, &s->plane, k - 1, s->steps);
+    }
     for (uint32_t y = r.y0; y < r.y1; y++) {
         sfi_price_voxels v = voxels_of(s, k, y);
         size_t at = sfi_plane_at(&s->plane, 0, y);
         sfi_price_lanes_load(&s->lanes, &v, r.x0, r.x1);
         if (s->codes != NULL) {
-            sfi_price_labels labels = {s->below + at, s->low_codes + at, s->here + at,
-                                       s->codes + at};
-            sfi_price_label_row(&s->lanes, &s->plane, &s->job->rule, k, k == s->job->bed, element,
-                                &labels, r.x0, r.x1);
+            sfi_price_labels labels = labels_of(s, k, at);
+            sfi_price_label_row(&s->lanes, &labels, k == s->job->bed, r.x0, r.x1);
             continue;
         }
         if (k == s->job->bed) {
@@ -191,7 +213,6 @@ static sf_status sweep_layer(sweep *s, uint32_t k, const sf_element *element)
         }
         sfi_price_add_row(&s->lanes, s->here + at, r.x0, r.x1);
     }
-    return SF_OK;
 }
 
 static void keep_layer(const sweep *s, uint32_t k)
@@ -208,7 +229,7 @@ static void keep_layer(const sweep *s, uint32_t k)
             codes = sfi_price_codes(s->price, s->price->codes, k, y);
         }
         for (uint32_t x = r.x0; codes != NULL && x < r.x1; x++) {
-            codes[x] = s->codes[at + x];
+            codes[x] = (uint8_t)s->codes[at + x];
         }
     }
 }
@@ -223,12 +244,12 @@ static sf_status sweep_all(sweep *s)
         if (k > job->bed) {
             SF_TRY(sf_rule_element(&job->rule, k - 1, &element));
         }
-        SF_TRY(sweep_layer(s, k, &element));
+        sweep_layer(s, k, &element);
         keep_layer(s, k);
         int16_t *prices = s->below;
         s->below = s->here;
         s->here = prices;
-        uint8_t *codes = s->low_codes;
+        int16_t *codes = s->low_codes;
         s->low_codes = s->codes;
         s->codes = codes;
     }

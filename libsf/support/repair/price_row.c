@@ -10,14 +10,14 @@
 // min(m_n(x), m_n(x + n)), and any other width is two of these that overlap. That is van Herk's
 // problem without his blocks, which for widths below 16 or so only get in the way of vectors.
 //
-// Under slack, one 32-bit label for each voxel: the price above, and in the low byte what is
-// missing to a full code, so that the least label is the cheapest, then the one with most slack.
+// Under slack each voxel below offers a price and a code, and the least price is taken, then the
+// most that any of that price leaves. Codes are int16_t here too, so that both go through the same
+// lanes: what is dearer than the least yet is masked out, what is cheaper masks out the most yet.
 
 #include "support/repair/price_row.h"
 
 #include "base/memory.h"
 #include "base/size.h"
-#include "support/rule/carry.h"
 
 #define ROWS 6
 
@@ -27,8 +27,7 @@ sf_status sfi_price_lanes_create(sfi_price_lanes *lanes, const sfi_plane *plane,
     *lanes = (sfi_price_lanes){0};
     lanes->width = (plane->stride + 127) & ~(size_t)63;
     size_t count;
-    // Six rows of int16_t and one of uint32_t.
-    if (!sfi_size_mul(lanes->width, ROWS + 2, &count)) {
+    if (!sfi_size_mul(lanes->width, ROWS, &count)) {
         return SF_ERR_OVERFLOW;
     }
     lanes->memory = sfi_alloc_array(allocator, count, sizeof(int16_t));
@@ -36,18 +35,17 @@ sf_status sfi_price_lanes_create(sfi_price_lanes *lanes, const sfi_plane *plane,
         return SF_ERR_MEMORY;
     }
     int16_t **rows[ROWS] = {&lanes->add,   &lanes->inside, &lanes->exempt,
-                            &lanes->least, &lanes->merged, &lanes->run};
+                            &lanes->least, &lanes->left,   &lanes->merged};
     for (size_t i = 0; i < ROWS; i++) {
         // Merged rows reach out on both sides; the others begin at voxel 0.
-        *rows[i] = lanes->memory + i * lanes->width + (i == 4 ? plane->reach_x : 0);
+        *rows[i] = lanes->memory + i * lanes->width + (i == ROWS - 1 ? plane->reach_x : 0);
     }
-    lanes->label = (uint32_t *)(void *)(lanes->memory + ROWS * lanes->width);
     return SF_OK;
 }
 
 void sfi_price_lanes_destroy(sfi_price_lanes *lanes, const sf_allocator *allocator)
 {
-    sfi_free_array(allocator, lanes->memory, lanes->width * (ROWS + 2), sizeof(int16_t));
+    sfi_free_array(allocator, lanes->memory, lanes->width * ROWS, sizeof(int16_t));
     *lanes = (sfi_price_lanes){0};
 }
 
@@ -196,63 +194,69 @@ void sfi_price_add_row(const sfi_price_lanes *lanes, int16_t *row, uint32_t x0, 
 }
 
 // ---------------------------------------------------------------------------------------------
-// Labels
+// Under slack
 // ---------------------------------------------------------------------------------------------
 
-#define LABEL_NONE UINT32_MAX
-
-// label[x] = the better of itself and what the voxel at `offset` below gives at this cost.
-static void label_from(uint32_t *restrict label, const int16_t *restrict below,
-                       const uint8_t *restrict codes, ptrdiff_t offset, int32_t change, int32_t top,
-                       uint32_t x0, uint32_t x1)
+// least, left = the better of themselves and what the voxels at an offset below offer. Who has a
+// code of at most `floor` offers nothing; price and code of those are 0 or without meaning.
+static void take_offers(int16_t *restrict least, int16_t *restrict left,
+                        const int16_t *restrict prices, const int16_t *restrict codes,
+                        int16_t change, int16_t top, uint32_t count)
 {
-    for (uint32_t x = x0; x < x1; x++) {
-        int32_t code = codes[(ptrdiff_t)x + offset], price = below[(ptrdiff_t)x + offset];
-        int32_t left = code + change < top ? code + change : top;
-        uint32_t key = (uint32_t)(price - SFI_PRICE_FREE) << 8 | (uint32_t)(255 - left);
-        key = code > 0 && left > 0 && price != SFI_PRICE_NONE ? key : LABEL_NONE;
-        label[x] = label[x] < key ? label[x] : key;
+    const int16_t floor = change < 0 ? (int16_t)-change : 0;
+    for (uint32_t x = 0; x < count; x++) {
+        int16_t able = (int16_t) - (int16_t)(codes[x] > floor);
+        int16_t code = (int16_t)(codes[x] + change);
+        code = code < top ? code : top;
+        code = (int16_t)(code & able);
+        int16_t price = (int16_t)((prices[x] & able) | (SFI_PRICE_NONE & ~able));
+        int16_t is_cheaper = (int16_t) - (int16_t)(price < least[x]);
+        int16_t is_dearer = (int16_t) - (int16_t)(price > least[x]);
+        int16_t kept = (int16_t)(left[x] & ~is_cheaper), offered = (int16_t)(code & ~is_dearer);
+        left[x] = kept > offered ? kept : offered;
+        least[x] = price < least[x] ? price : least[x];
     }
 }
 
-static void collect_labels(sfi_price_lanes *lanes, const sfi_plane *plane, const sf_rule *rule,
-                           uint32_t k, const sf_element *e, const sfi_price_labels *l, uint32_t x0,
-                           uint32_t x1)
+// What is exempt costs nothing, and has a code of 1 at least.
+static void spare_exempt(const sfi_price_lanes *lanes, uint32_t x0, uint32_t x1)
 {
-    int32_t gain = (int32_t)sfi_slack_gain(rule, k - 1), top = rule->slack_cap + 1;
-    for (int32_t dy = -(int32_t)e->reach_y; dy <= (int32_t)e->reach_y; dy++) {
-        uint32_t ay = (uint32_t)(dy < 0 ? -dy : dy);
-        int32_t w = e->half_width[ay];
-        for (int32_t dx = -w; dx <= w; dx++) {
-            uint32_t ax = (uint32_t)(dx < 0 ? -dx : dx);
-            ptrdiff_t offset = (ptrdiff_t)dy * (ptrdiff_t)plane->stride + dx;
-            int32_t change = gain - (int32_t)sfi_slack_cost(rule, ax, ay);
-            if (change + top > 0) {
-                label_from(lanes->label, l->below, l->low_codes, offset, change, top, x0, x1);
-            }
-        }
+    int16_t *restrict least = lanes->least, *restrict left = lanes->left;
+    const int16_t *restrict exempt = lanes->exempt;
+    for (uint32_t x = x0; x < x1; x++) {
+        int16_t changed = (int16_t)(exempt[x] & -(int16_t)(least[x] != SFI_PRICE_FREE));
+        least[x] = (int16_t)((least[x] & ~changed) | (SFI_PRICE_FREE & changed));
+        left[x] = (int16_t)((left[x] & ~changed) | (1 & changed));
     }
 }
 
-void sfi_price_label_row(sfi_price_lanes *lanes, const sfi_plane *plane, const sf_rule *rule,
-                         uint32_t k, int is_bed, const sf_element *element,
-                         const sfi_price_labels *l, uint32_t x0, uint32_t x1)
+void sfi_price_label_row(sfi_price_lanes *lanes, const sfi_price_labels *l, int is_bed, uint32_t x0,
+                         uint32_t x1)
 {
-    uint32_t *label = lanes->label, full = 255u - (rule->slack_cap + 1u);
     for (uint32_t x = x0; x < x1; x++) {
-        label[x] = is_bed ? full : LABEL_NONE;
+        lanes->least[x] = (int16_t)(is_bed ? SFI_PRICE_FREE : SFI_PRICE_NONE);
+        lanes->left[x] = (int16_t)(is_bed ? l->top : 0);
     }
-    if (!is_bed) {
-        collect_labels(lanes, plane, rule, k, element, l, x0, x1);
-    }
-    for (uint32_t x = x0; x < x1; x++) {
-        if (lanes->has_exempt && lanes->exempt[x] != 0 && label[x] > 0xff) {
-            label[x] = 254; // free, with a code of 1
+    for (size_t s = 0; !is_bed && s < l->step_count; s++) {
+        int32_t change = (int32_t)l->gain - (int32_t)l->steps[s].cost;
+        ptrdiff_t from = l->steps[s].offset + (ptrdiff_t)x0;
+        if (change + l->top > 0) {
+            change = change < l->top ? change : l->top;
+            take_offers(lanes->least + x0, lanes->left + x0, l->below + from, l->low_codes + from,
+                        (int16_t)change, l->top, x1 - x0);
         }
-        int is_possible = lanes->inside[x] != 0 && label[x] != LABEL_NONE;
-        int32_t price = (int32_t)(label[x] >> 8) + SFI_PRICE_FREE + lanes->add[x];
-        price = price < SFI_PRICE_MOST ? price : SFI_PRICE_MOST;
-        l->here[x] = (int16_t)(is_possible ? price : SFI_PRICE_NONE);
-        l->codes[x] = (uint8_t)(is_possible ? 255 - (label[x] & 0xff) : 0);
+    }
+    if (lanes->has_exempt) {
+        spare_exempt(lanes, x0, x1);
+    }
+    const int16_t *restrict least = lanes->least, *restrict left = lanes->left;
+    const int16_t *restrict add = lanes->add, *restrict inside = lanes->inside;
+    int16_t *restrict here = l->here, *restrict codes = l->codes;
+    for (uint32_t x = x0; x < x1; x++) {
+        int16_t is_possible = (int16_t)(inside[x] & -(int16_t)(left[x] > 0));
+        int16_t most = (int16_t)(SFI_PRICE_MOST - add[x]);
+        int16_t price = (int16_t)((least[x] < most ? least[x] : most) + add[x]);
+        here[x] = (int16_t)((price & is_possible) | (SFI_PRICE_NONE & ~is_possible));
+        codes[x] = (int16_t)(left[x] & is_possible);
     }
 }

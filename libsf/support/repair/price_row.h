@@ -9,13 +9,13 @@
 // Rows that a row of prices is made in; element x of each is voxel x, and `reach` more lie on both
 // sides of those that are as wide as a plane.
 typedef struct sfi_price_lanes {
-    size_t width;          // elements in each
-    int16_t *add;          // what filling costs, 0 where it is free
-    int16_t *inside;       // all ones in the room, else 0
-    int16_t *exempt;       // all ones where nothing is asked for; unused where `has_exempt` is 0
-    int16_t *least;        // least price below
-    int16_t *merged, *run; // scratch
-    uint32_t *label;       // scratch, under slack
+    size_t width;    // elements in each
+    int16_t *add;    // what filling costs, 0 where it is free
+    int16_t *inside; // all ones in the room, else 0
+    int16_t *exempt; // all ones where nothing is asked for; unused where `has_exempt` is 0
+    int16_t *least;  // least price below
+    int16_t *left;   // under slack: the code that the best of that price leaves
+    int16_t *merged; // scratch
     int16_t *memory;
     int has_exempt;
 } sfi_price_lanes;
@@ -46,17 +46,21 @@ void sfi_price_least_row(sfi_price_lanes *lanes, const sfi_plane *plane, const i
 // out = least + add where in the room, nothing elsewhere.
 void sfi_price_add_row(const sfi_price_lanes *lanes, int16_t *out, uint32_t x0, uint32_t x1);
 
-// Under slack: prices and codes of the row below and of this one.
+// Under slack: prices and codes of the row below and of this one; the steps from here down in
+// planes, what each step gains, and the most that a code can be.
 typedef struct sfi_price_labels {
-    const int16_t *below;
-    const uint8_t *low_codes;
-    int16_t *here;
-    uint8_t *codes;
+    const int16_t *below, *low_codes;
+    int16_t *here, *codes;
+    const sfi_step *steps;
+    size_t step_count;
+    uint32_t gain;
+    int16_t top;
 } sfi_price_labels;
 
-void sfi_price_label_row(sfi_price_lanes *lanes, const sfi_plane *plane, const sf_rule *rule,
-                         uint32_t k, int is_bed, const sf_element *element,
-                         const sfi_price_labels *labels, uint32_t x0, uint32_t x1);
+// here = the least price of what can carry each voxel, with what filling costs, and codes = the
+// most that one of that price leaves.
+void sfi_price_label_row(sfi_price_lanes *lanes, const sfi_price_labels *labels, int is_bed,
+                         uint32_t x0, uint32_t x1);
 
 // Most that an element reaches along x.
 static inline uint32_t sfi_element_reach_x(const sf_element *e)
