@@ -24,8 +24,11 @@ typedef struct sfi_path_finder {
     const sf_grid *grid;  // what stands already
     sf_element *elements; // of each step, by the layer below
     sfi_path_window windows[SFI_PATH_DEPTH];
-    uint32_t *costs;
+    int32_t *costs;
     size_t capacity;
+    int32_t *rows[2]; // scratch
+    size_t row_count;
+    uint64_t looked;                     // cells of all windows until now
     sfi_path_cell cells[SFI_PATH_DEPTH]; // the path, from its end up
     uint32_t count;
 } sfi_path_finder;
