@@ -305,10 +305,16 @@ static sf_status compare_in_turn(search *s, uint32_t most, uint32_t *rounds)
     if (!s->is_small || s->cost == 0 || !sfi_rule_is_element(&job->rule)) {
         return SF_OK;
     }
+    // What the room has no place for is lost in either.
+    uint64_t lost = cost_of_lost(job);
+    if (s->cost <= lost) {
+        return SF_OK;
+    }
+    int is_done;
     sfi_price_terms terms = {job->room, job->drawn, job->drawn, job->roots};
     SF_TRY(sfi_price_make(job, &terms, &s->price));
-    SF_TRY(sfi_grow_in_turn(job, &s->price, s->trial));
-    return offer(s) ? improve(s, most, rounds) : SF_OK;
+    SF_TRY(sfi_grow_in_turn(job, &s->price, s->cost - lost, s->trial, &is_done));
+    return is_done && offer(s) ? improve(s, most, rounds) : SF_OK;
 }
 
 static sf_status improve_from(search *s, uint32_t most, uint32_t *rounds)

@@ -9,6 +9,11 @@
 // A path that would be longer than a search looks (path.c) follows the price map instead, to the
 // cheapest voxel below, until it stands.
 //
+// Where little hangs this is quick, and where much does a search has far to go before it meets
+// anything: a roof's first voxels look at a hundred thousand cells each. So it goes on only while
+// what it has added costs less than what is known already, and while all searches together have
+// looked at no more than LOOK_MOST cells; else it is given up, and nothing is lost but that.
+//
 // Only for rules that are elements.
 //
 // Source: T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
@@ -21,9 +26,29 @@
 #include "support/repair/path.h"
 #include "voxel/slice.h"
 
-static void set(sf_grid *grid, uint32_t k, uint32_t x, uint32_t y)
+#define LOOK_MOST (UINT64_C(1) << 25)
+
+// A grow at work.
+typedef struct growth {
+    const sfi_job *job;
+    const sfi_price *price;
+    sf_grid *result;
+    sfi_path_finder finder;
+    uint64_t spent, bound;
+    sfi_sweep sweep;
+} growth;
+
+static int is_given_up(const growth *g)
 {
-    sfi_slice_row(sf_grid_slice(grid, k), y)[x / 64] |= UINT64_C(1) << (x % 64);
+    return g->spent >= g->bound || g->finder.looked > LOOK_MOST;
+}
+
+static void set(growth *g, const sfi_path_cell *at)
+{
+    uint64_t *word = sfi_slice_row(sf_grid_slice(g->result, at->k), at->y) + at->x / 64;
+    uint64_t bit = UINT64_C(1) << (at->x % 64);
+    g->spent += (*word & bit) != 0 ? 0 : sfi_job_add(g->job, at->k, at->x, at->y);
+    *word |= bit;
 }
 
 // The cheapest voxel that can carry (x, y) of layer k, the first in order. Every voxel of the room
@@ -59,54 +84,55 @@ static int stands(const sfi_path_finder *f, sfi_path_cell at)
                          UINT32_MAX, UINT32_MAX);
 }
 
-static sf_status carry_one(sfi_path_finder *f, const sfi_price *price, sfi_path_cell at,
-                           sf_grid *result)
+static sf_status carry_one(growth *g, sfi_path_cell at)
 {
+    sfi_path_finder *f = &g->finder;
     if (stands(f, at)) {
         return SF_OK;
     }
     SF_TRY(sfi_path_find(f, at.k - 1, &at, 1, UINT64_MAX));
     for (uint32_t i = 0; i < f->count; i++) {
-        set(result, f->cells[i].k, f->cells[i].x, f->cells[i].y);
+        set(g, &f->cells[i]);
     }
     while (!stands(f, at)) {
-        at = cheapest_below(f, price, at);
-        set(result, at.k, at.x, at.y);
+        at = cheapest_below(f, g->price, at);
+        set(g, &at);
     }
     return SF_OK;
 }
 
-static sf_status carry_layer(sfi_path_finder *f, const sfi_price *price, uint32_t k,
-                             sf_grid *result, sfi_sweep *sweep)
+static sf_status carry_layer(growth *g, uint32_t k)
 {
-    sf_slice slice = sf_grid_slice(result, k), roots = sf_grid_slice(f->job->roots, k);
-    SF_TRY(sfi_sweep_layer(sweep));
-    for (uint32_t y = 0; y < slice.height; y++) {
-        SF_TRY(sfi_sweep_pause(sweep));
+    sf_slice slice = sf_grid_slice(g->result, k), roots = sf_grid_slice(g->job->roots, k);
+    SF_TRY(sfi_sweep_layer(&g->sweep));
+    for (uint32_t y = 0; y < slice.height && !is_given_up(g); y++) {
+        SF_TRY(sfi_sweep_pause(&g->sweep));
         const uint64_t *row = sfi_slice_row(slice, y), *rooted = sfi_slice_row(roots, y);
         for (size_t i = 0; i < sfi_row_words(slice.width); i++) {
-            for (uint64_t w = row[i] & ~rooted[i]; w != 0; w &= w - 1) {
+            for (uint64_t w = row[i] & ~rooted[i]; w != 0 && !is_given_up(g); w &= w - 1) {
                 sfi_path_cell at = {k, (uint32_t)i * 64 + sfi_lowest_bit(w), y};
-                SF_TRY(carry_one(f, price, at, result));
+                SF_TRY(carry_one(g, at));
             }
         }
     }
     return SF_OK;
 }
 
-sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, sf_grid *result)
+sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, uint64_t bound,
+                           sf_grid *result, int *is_done)
 {
-    sfi_path_finder finder;
+    growth g = {.job = job, .price = price, .result = result, .bound = bound};
     for (uint32_t k = 0; k < job->lattice.nz; k++) {
         SF_TRY(sf_slice_and(sf_grid_slice(result, k), sf_grid_slice(job->drawn, k),
                             sf_grid_slice(job->room, k)));
     }
-    sf_status status = sfi_path_finder_create(job, &finder);
-    finder.grid = result;
-    sfi_sweep sweep = sfi_sweep_begin(job->pace, price->top);
-    for (uint32_t k = price->top; status == SF_OK && k-- > job->bed + 1;) {
-        status = carry_layer(&finder, price, k, result, &sweep);
+    sf_status status = sfi_path_finder_create(job, &g.finder);
+    g.finder.grid = result;
+    g.sweep = sfi_sweep_begin(job->pace, price->top);
+    for (uint32_t k = price->top; status == SF_OK && !is_given_up(&g) && k-- > job->bed + 1;) {
+        status = carry_layer(&g, k);
     }
-    sfi_path_finder_destroy(&finder);
+    *is_done = !is_given_up(&g);
+    sfi_path_finder_destroy(&g.finder);
     return status;
 }

@@ -166,9 +166,11 @@ sf_status sfi_forest_grow(const sfi_job *job, const sfi_price *price, sfi_forest
                           sf_grid *result);
 
 // Where the rule is an element: everything drawn that is in the room, on paths that are found one
-// after the other (in_turn.c). `price` is a map with
-// what is drawn free and all that is drawn and no root for targets.
-sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, sf_grid *result);
+// after the other (in_turn.c). `price` is a map with what is drawn free and all that is drawn and
+// no root for targets. *is_done is 0 where it was given up, because what is added costs `bound` or
+// more, or because it takes too long.
+sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, uint64_t bound,
+                           sf_grid *result, int *is_done);
 
 // Put back what the result now carries, and take away additions that carry nothing, from the top
 // down. Never costs more; the result stays support-free.
