@@ -133,8 +133,9 @@ static sf_status begin_layer(forest *f, sfi_layer *layer, uint32_t k)
 static int is_on_root(const forest *f, const sfi_node *node, uint32_t x, uint32_t y)
 {
     const sfi_chooser *c = &f->chooser;
-    if (c->codes == NULL) {
-        return sf_slice_get(f->carried, x, y);
+    int is_near = (int)(sfi_slice_row(f->carried, y)[x / 64] >> (x % 64) & 1);
+    if (c->codes == NULL || !is_near) {
+        return is_near;
     }
     for (size_t s = 0; s < c->step_count; s++) {
         size_t place = (size_t)((ptrdiff_t)node->at + c->steps[s].offset);
@@ -150,7 +151,7 @@ static sf_status find_rooted(forest *f)
 {
     const sfi_job *job = f->job;
     uint32_t k = f->here.k;
-    if (k > job->bed && f->chooser.codes == NULL) {
+    if (k > job->bed) {
         sf_element element;
         SF_TRY(sf_rule_element(&job->rule, k - 1, &element));
         SF_TRY(sf_slice_dilate(f->carried, sf_grid_slice(job->roots, k - 1), &element,

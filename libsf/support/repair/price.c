@@ -51,6 +51,11 @@ static sf_rect join(sf_rect a, sf_rect b)
     return r;
 }
 
+static int is_same(sf_rect a, sf_rect b)
+{
+    return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
 static sf_rect widen(sf_rect r, const sf_element *e, const sf_lattice *lattice)
 {
     uint32_t dx = sfi_element_reach_x(e), dy = e->reach_y;
@@ -92,6 +97,9 @@ static sf_status find_rects(const sfi_job *job, const sfi_price_terms *t, sfi_pr
             need = widen(need, &element, &job->lattice);
         }
         need = join(need, own);
+        if (p->rooted != NULL && !is_same(p->rects[k], need)) {
+            p->rooted = NULL; // codes of the roots are laid out as prices are
+        }
         p->rects[k] = need;
         if (p->top == 0 && need.x1 > need.x0) {
             p->top = k + 1;
@@ -324,8 +332,11 @@ static sf_status make(const sfi_job *job, const sfi_price_terms *terms, sfi_pric
         status = sweep_all(&s);
     }
     sweep_destroy(&s);
-    return status == SF_OK && p->codes != NULL ? sfi_price_field(job, p, job->roots, p->root_codes)
-                                               : status;
+    if (status == SF_OK && p->codes != NULL && p->rooted != job->roots) {
+        status = sfi_price_field(job, p, job->roots, p->root_codes);
+        p->rooted = job->roots;
+    }
+    return status;
 }
 
 sf_status sfi_price_make(const sfi_job *job, const sfi_price_terms *terms, sfi_price *price)

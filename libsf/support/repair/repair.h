@@ -87,6 +87,7 @@ typedef struct sfi_price {
     size_t count, capacity; // prices in use, and room for them
     int16_t *prices;
     uint8_t *codes, *root_codes; // of what is priced, and of the roots by themselves; or NULL
+    const sf_grid *rooted;       // the roots that root_codes are of, if they are; they do not change
 } sfi_price;
 
 // Make a map, in the memory of an earlier one of this job or from all zero. SF_ERR_MEMORY,
