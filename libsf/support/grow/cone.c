@@ -8,7 +8,8 @@
 //
 // The sum of m pluses and n squares is { |dx|, |dy| <= m + n, |dx| + |dy| <= m + 2n } (rule.c), so
 // for box3 and octagon a window is two numbers, A = the sum of m + n and B = the sum of n:
-// { |dx|, |dy| <= A, |dx| + |dy| <= A + B }. For the disk it is half widths by rows,
+// { |dx|, |dy| <= A, |dx| + |dy| <= A + B }, and both are differences of what the schedule has
+// reached at layer k and at layer k - t. For the disk it is half widths by rows,
 //
 //     w_t(dy) = max over 0 <= b <= min(dy, reach) of w_{t-1}(dy - b) + e(b),
 //
@@ -29,6 +30,7 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
+#include "support/rule/rule.h"
 
 #define NO_ROW UINT16_MAX
 
@@ -61,7 +63,7 @@ void sfi_cone_begin(sfi_cone *cone, uint32_t top)
         cone->kept = cone->depth;
     }
     cone->top = top;
-    cone->depth = cone->axis = cone->square = 0;
+    cone->depth = 0;
 }
 
 // Half widths of window t >= 1.
@@ -117,12 +119,30 @@ static sf_status deepen_rows(sfi_cone *cone, const sf_element *e)
     return SF_OK;
 }
 
-static sfi_window window_at(const sfi_cone *cone, uint32_t depth, uint32_t axis, uint32_t square)
+// More than any slice is wide or high.
+#define FAR ((uint64_t)1 << 20)
+
+// What the steps between two layers add up to, in closed form.
+static sfi_window sum_of_steps(const sfi_cone *cone, uint32_t below, uint32_t above)
 {
-    sfi_window window = {cone, depth, 0, axis, square, NULL};
+    uint64_t a0, b0, a1, b1;
+    sfi_rule_sums(&cone->rule, below, &a0, &b0);
+    sfi_rule_sums(&cone->rule, above, &a1, &b1);
+    uint64_t axis = a1 - a0, corner = axis + (b1 - b0);
+    axis = axis < FAR ? axis : FAR;
+    corner = corner < 2 * FAR ? corner : 2 * FAR;
+    uint32_t reach_y = axis < cone->height ? (uint32_t)axis : cone->height - 1;
+    sfi_window window = {cone, above - below, reach_y, axis, corner, NULL};
+    return window;
+}
+
+static sfi_window window_at(const sfi_cone *cone, uint32_t depth)
+{
     if (is_closed_form(&cone->rule)) {
-        window.reach_y = axis < cone->height ? axis : cone->height - 1;
-    } else if (depth > 0) {
+        return sum_of_steps(cone, cone->top - depth, cone->top);
+    }
+    sfi_window window = {cone, depth, 0, 0, 0, NULL};
+    if (depth > 0) {
         window.rows = rows_of(cone, depth);
         window.reach_y = last_row(cone, window.rows);
     }
@@ -131,51 +151,32 @@ static sfi_window window_at(const sfi_cone *cone, uint32_t depth, uint32_t axis,
 
 sf_status sfi_cone_deepen(sfi_cone *cone, sfi_window *window)
 {
-    sf_element e;
-    SF_TRY(sf_rule_element(&cone->rule, cone->top - cone->depth - 1, &e));
     cone->depth++;
-    if (is_closed_form(&cone->rule)) {
-        cone->axis += e.reach_y;
-        cone->square += e.half_width[e.reach_y];
-    } else {
-        sf_status status = deepen_rows(cone, &e);
+    if (!is_closed_form(&cone->rule)) {
+        sf_element e;
+        sf_status status = sf_rule_element(&cone->rule, cone->top - cone->depth, &e);
+        status = status == SF_OK ? deepen_rows(cone, &e) : status;
         if (status != SF_OK) {
             cone->depth--;
             return status;
         }
     }
-    *window = window_at(cone, cone->depth, cone->axis, cone->square);
+    *window = window_at(cone, cone->depth);
     return SF_OK;
 }
 
-uint32_t sfi_window_half_width(const sfi_window *window, uint32_t dy)
+// The last step of a window, as the window of that step alone; `e` holds its rows where it has any.
+static sfi_window last_step(const sfi_window *window, sf_element *e)
 {
-    if (dy > window->reach_y) {
-        return SFI_WINDOW_NONE;
+    const sfi_cone *cone = window->cone;
+    uint32_t below = cone->top - window->depth;
+    if (is_closed_form(&cone->rule)) {
+        return sum_of_steps(cone, below, below + 1);
     }
-    if (window->rows != NULL) {
-        return window->rows[dy];
-    }
-    uint32_t slant = window->axis + window->square - dy;
-    return slant < window->axis ? slant : window->axis;
-}
-
-static void step_below(const sfi_window *window, sf_element *e)
-{
-    // The rule has served this layer already.
-    (void)!sf_rule_element(&window->cone->rule, window->cone->top - window->depth, e);
-}
-
-// The window one step shorter.
-static sfi_window shorten(const sfi_window *window)
-{
-    if (!is_closed_form(&window->cone->rule)) {
-        return window_at(window->cone, window->depth - 1, 0, 0);
-    }
-    sf_element e;
-    step_below(window, &e);
-    return window_at(window->cone, window->depth - 1, window->axis - e.reach_y,
-                     window->square - e.half_width[e.reach_y]);
+    (void)!sf_rule_element(&cone->rule, below, e); // the rule has served this layer already
+    uint32_t reach_y = e->reach_y < cone->height ? e->reach_y : cone->height - 1;
+    sfi_window step = {cone, 1, reach_y, 0, 0, e->half_width};
+    return step;
 }
 
 typedef struct offset {
@@ -188,14 +189,16 @@ static uint64_t square_of_difference(uint64_t a, uint64_t b)
     return d * d;
 }
 
-// The last of `depth` steps that make d: within e, and such that the rest lies within `before`.
-static offset choose_step(const sfi_window *before, const sf_element *e, offset d, uint32_t depth)
+// The last of `depth` steps that make d: within `step`, and such that the rest lies within
+// `before`.
+static offset choose_step(const sfi_window *before, const sfi_window *step, offset d,
+                          uint32_t depth)
 {
     offset best = {0, 0};
     uint64_t least = UINT64_MAX;
-    for (uint32_t sy = 0; sy <= e->reach_y && sy <= d.y; sy++) {
+    for (uint32_t sy = 0; sy <= step->reach_y && sy <= d.y; sy++) {
         uint32_t rest = sfi_window_half_width(before, d.y - sy);
-        uint32_t most = e->half_width[sy] < d.x ? e->half_width[sy] : d.x;
+        uint32_t half = sfi_window_half_width(step, sy), most = half < d.x ? half : d.x;
         uint32_t fewest = rest != SFI_WINDOW_NONE && rest < d.x ? d.x - rest : 0;
         if (rest == SFI_WINDOW_NONE || fewest > most) {
             continue;
@@ -220,9 +223,8 @@ void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_vox
     sfi_window here = *window;
     while (here.depth > 1) {
         sf_element e;
-        step_below(&here, &e);
-        sfi_window before = shorten(&here);
-        offset s = choose_step(&before, &e, d, here.depth);
+        sfi_window step = last_step(&here, &e), before = window_at(here.cone, here.depth - 1);
+        offset s = choose_step(&before, &step, d, here.depth);
         d.x -= s.x;
         d.y -= s.y;
         here = before;

@@ -12,12 +12,11 @@ typedef struct sfi_cone {
     sf_rule rule; // box3, octagon or disk, no bridges
     uint32_t width, height;
     sf_allocator allocator;
-    uint32_t top;          // layer of the voxel
-    uint32_t depth;        // windows known so far
-    uint32_t axis, square; // box3 and octagon: the last window in closed form
-    uint16_t *rows;        // disk: half widths of windows 1, 2, ..., `height` places for each
-    size_t capacity;       // places in rows
-    uint32_t kept;         // disk of one height: windows known from earlier voxels
+    uint32_t top;    // layer of the voxel
+    uint32_t depth;  // windows known so far
+    uint16_t *rows;  // disk: half widths of windows 1, 2, ..., `height` places for each
+    size_t capacity; // places in rows
+    uint32_t kept;   // disk of one height: windows known from earlier voxels
 } sfi_cone;
 
 // A rectangle around a window, half-open, and which part of each of its rows the window takes.
@@ -25,7 +24,7 @@ typedef struct sfi_window {
     const sfi_cone *cone;
     uint32_t depth;
     uint32_t reach_y;      // rows above and below, within the slice's height
-    uint32_t axis, square; // closed form
+    uint64_t axis, corner; // closed form: farthest along an axis, and |dx| + |dy| at most
     const uint16_t *rows;  // or half widths
 } sfi_window;
 
@@ -37,12 +36,22 @@ sfi_cone sfi_cone_create(const sf_rule *plain, uint32_t width, uint32_t height,
 void sfi_cone_destroy(sfi_cone *cone);
 void sfi_cone_begin(sfi_cone *cone, uint32_t top);
 
-// The next window. SF_ERR_MEMORY, SF_ERR_OVERFLOW.
+// The next window, until the one after it. SF_ERR_MEMORY, SF_ERR_OVERFLOW.
 sf_status sfi_cone_deepen(sfi_cone *cone, sfi_window *window);
 
-// Farthest dx of a window at dy rows from the middle, at least the width's if there is more; or
+// Farthest dx of a window at dy rows from the middle, which may lie beyond the slice; or
 // SFI_WINDOW_NONE.
-uint32_t sfi_window_half_width(const sfi_window *window, uint32_t dy);
+static inline uint32_t sfi_window_half_width(const sfi_window *window, uint32_t dy)
+{
+    if (dy > window->reach_y) {
+        return SFI_WINDOW_NONE;
+    }
+    if (window->rows != NULL) {
+        return window->rows[dy];
+    }
+    uint64_t slant = window->corner - dy;
+    return (uint32_t)(slant < window->axis ? slant : window->axis);
+}
 
 // Write the voxels of a chain down from `from` to `to`, both left out, window->depth layers apart
 // and within the window: each step lies in its layer's element.

@@ -106,13 +106,20 @@ static void schedule(uint64_t reach, uint64_t *a, uint64_t *b)
     *b = round_q24(scale_q32(*a << 24, SFI_OCTAGON_SQUARE_Q32));
 }
 
-static void octagon(uint64_t reach_below, uint64_t reach_above, sf_element *element)
+void sfi_rule_sums(const sf_rule *rule, uint32_t k, uint64_t *all, uint64_t *squares)
+{
+    *all = *squares = k;
+    if (rule->kind == SF_RULE_OCTAGON) {
+        schedule(rule->table != NULL ? rule->table[k] : k * rule->reach_x_q24, all, squares);
+    }
+}
+
+static void octagon(const sf_rule *rule, uint32_t k, sf_element *element)
 {
     uint64_t a0, b0, a1, b1;
-    schedule(reach_below, &a0, &b0);
-    schedule(reach_above, &a1, &b1);
-    uint32_t axis = (uint32_t)(a1 - a0);
-    uint32_t corner = axis + (uint32_t)(b1 - b0);
+    sfi_rule_sums(rule, k, &a0, &b0);
+    sfi_rule_sums(rule, k + 1, &a1, &b1);
+    uint32_t axis = (uint32_t)(a1 - a0), corner = axis + (uint32_t)(b1 - b0);
     element->reach_y = (uint16_t)axis;
     for (uint32_t dy = 0; dy <= axis; dy++) {
         element->half_width[dy] = (uint16_t)(corner - dy < axis ? corner - dy : axis);
@@ -142,8 +149,11 @@ sf_status sfi_slack_element(const sf_rule *rule, uint64_t x_q24, uint64_t y_q24,
                             sf_element *element)
 {
     uint64_t x = rule->slack_x, y = rule->slack_y, longer = x > y ? x : y;
-    uint64_t limit = 5 * longer * longer;
-    SF_TRY(sf_element_ellipse(whole_reach(x_q24) << 16, whole_reach(y_q24) << 16, element));
+    uint64_t limit = 5 * longer * longer, rx = whole_reach(x_q24), ry = whole_reach(y_q24);
+    element->reach_y = element->half_width[0] = 0;
+    if (rx * x * (rx * x) > limit || ry * y * (ry * y) > limit) { // else it lies within the move
+        SF_TRY(sf_element_ellipse(rx << 16, ry << 16, element));
+    }
     for (uint32_t dy = 0; dy * y * (dy * y) <= limit; dy++) {
         if (dy > element->reach_y) {
             element->half_width[dy] = 0;
@@ -256,9 +266,7 @@ sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_element *element)
     if (rule->kind == SF_RULE_BOX3) {
         *element = sf_element_box3();
     } else if (rule->kind == SF_RULE_OCTAGON) {
-        uint64_t below = table != NULL ? table[k] : k * rule->reach_x_q24;
-        uint64_t above = table != NULL ? table[k + 1] : below + rule->reach_x_q24;
-        octagon(below, above, element);
+        octagon(rule, k, element);
     } else if (rule->kind == SF_RULE_SLACK && table != NULL) {
         const uint64_t *y = table + rule->table_count;
         return sfi_slack_element(rule, table[k + 1] - table[k], y[k + 1] - y[k], element);

@@ -26,6 +26,10 @@ uint32_t sfi_table_layers(const sf_lattice *lattice);
 sf_status sfi_slack_element(const sf_rule *rule, uint64_t x_q24, uint64_t y_q24,
                             sf_element *element);
 
+// Box3 and octagon: how many pluses and squares the steps below layer k add up to, and how many of
+// them are squares. The rule must serve these steps.
+void sfi_rule_sums(const sf_rule *rule, uint32_t k, uint64_t *all, uint64_t *squares);
+
 // SF_OK when the rule gives an element for each step between `layer_count` slices, the first of
 // which is layer `first`. After that sf_rule_element() cannot fail on them, so whoever is about to
 // write into a grid asks here first.
