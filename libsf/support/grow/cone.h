@@ -53,6 +53,24 @@ static inline uint32_t sfi_window_half_width(const sfi_window *window, uint32_t 
     return (uint32_t)(slant < window->axis ? slant : window->axis);
 }
 
+// The rows of a window around `from`, within a slice: y0 <= y < y1.
+static inline void sfi_window_rows(const sfi_window *window, sf_voxel from, uint32_t height,
+                                   uint32_t *y0, uint32_t *y1)
+{
+    *y0 = from.y > window->reach_y ? from.y - window->reach_y : 0;
+    *y1 = window->reach_y < height - from.y ? from.y + window->reach_y + 1 : height;
+}
+
+// The part of row y, one of its rows, within a window around `from`.
+static inline sf_rect sfi_window_row(const sfi_window *window, sf_voxel from, uint32_t width,
+                                     uint32_t y)
+{
+    uint32_t half = sfi_window_half_width(window, y > from.y ? y - from.y : from.y - y);
+    sf_rect part = {from.x > half ? from.x - half : 0, y,
+                    half < width - from.x ? from.x + half + 1 : width, y + 1};
+    return part;
+}
+
 // Write the voxels of a chain down from `from` to `to`, both left out, window->depth layers apart
 // and within the window: each step lies in its layer's element.
 void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_voxel *chain);

@@ -23,7 +23,6 @@
 #include "base/memory.h"
 #include "base/status.h"
 #include "support/check/row.h"
-#include "support/grow/cone.h"
 #include "support/grow/search.h"
 
 struct sf_path_finder {
@@ -32,50 +31,6 @@ struct sf_path_finder {
     sfi_bed bed;
     sf_voxel *chain; // a place for each layer
 };
-
-// ---------------------------------------------------------------------------------------------
-// Bed
-// ---------------------------------------------------------------------------------------------
-
-void sfi_bed_destroy(sfi_bed *bed, const sfi_site *site)
-{
-    size_t area = (size_t)site->lattice.nx * site->lattice.ny;
-    sfi_free_array(&site->allocator, bed->square, area, sizeof *bed->square);
-    sfi_free_array(&site->allocator, bed->scratch, site->lattice.nx, 3 * sizeof *bed->scratch);
-    sf_grid_destroy(bed->seen);
-    bed->square = bed->scratch = NULL;
-    bed->seen = NULL;
-}
-
-static sf_status create_bed(sfi_bed *bed, const sfi_site *site)
-{
-    sf_lattice one = site->lattice;
-    one.nz = 1;
-    one.heights_mm = NULL;
-    size_t area = (size_t)one.nx * one.ny; // fits: the grid has that many bits, twice and more
-    bed->square = sfi_alloc_array(&site->allocator, area, sizeof *bed->square);
-    bed->scratch = sfi_alloc_array(&site->allocator, one.nx, 3 * sizeof *bed->scratch);
-    sf_status status = bed->square != NULL && bed->scratch != NULL
-                           ? sf_grid_create(&one, &site->allocator, &bed->seen)
-                           : SF_ERR_MEMORY;
-    if (status != SF_OK) {
-        sfi_bed_destroy(bed, site);
-    }
-    return status;
-}
-
-sf_status sfi_bed_update(sfi_bed *bed, const sfi_site *site)
-{
-    sf_slice now = sf_grid_slice(site->roots, site->bed);
-    if (bed->square == NULL) {
-        SF_TRY(create_bed(bed, site));
-    } else if (sf_slice_equal(sf_grid_slice(bed->seen, 0), now)) {
-        return SF_OK;
-    }
-    SF_TRY(sf_slice_copy(sf_grid_slice(bed->seen, 0), now));
-    sfi_slice_distance(now, bed->square, bed->scratch);
-    return SF_OK;
-}
 
 // ---------------------------------------------------------------------------------------------
 // Windows on a slice
@@ -92,23 +47,6 @@ static int any_in(sf_slice slice, sf_slice next, sf_rect r)
                                           ~UINT64_C(0) << (r.x0 % 64), sfi_tail_mask(r.x1), ahead);
 }
 
-// The part of row y within a window around `from`.
-static sf_rect row_part(const sfi_window *window, sf_voxel from, uint32_t width, uint32_t y)
-{
-    uint32_t half = sfi_window_half_width(window, y > from.y ? y - from.y : from.y - y);
-    sf_rect part = {from.x > half ? from.x - half : 0, y,
-                    half < width - from.x ? from.x + half + 1 : width, y + 1};
-    return part;
-}
-
-// Rows of a window, within the slice.
-static void row_range(const sfi_window *window, sf_voxel from, uint32_t height, uint32_t *y0,
-                      uint32_t *y1)
-{
-    *y0 = from.y > window->reach_y ? from.y - window->reach_y : 0;
-    *y1 = window->reach_y < height - from.y ? from.y + window->reach_y + 1 : height;
-}
-
 #define BAND 16u
 
 // The same for a few rows of a window.
@@ -116,14 +54,14 @@ static int any_in_band(sf_slice slice, const sfi_window *window, sf_voxel from, 
                        uint32_t y1)
 {
     uint32_t widest = from.y < y0 ? y0 : from.y < y1 ? from.y : y1 - 1;
-    sf_rect around = row_part(window, from, slice.width, widest);
+    sf_rect around = sfi_window_row(window, from, slice.width, widest);
     around.y0 = y0;
     around.y1 = y1;
     if (!any_in(slice, SFI_NO_SLICE, around)) {
         return 0;
     }
     for (uint32_t y = y0; y < y1; y++) {
-        sf_rect part = row_part(window, from, slice.width, y);
+        sf_rect part = sfi_window_row(window, from, slice.width, y);
         if (sfi_row_any(sfi_slice_row(slice, y), slice.width, part.x0, part.x1)) {
             return 1;
         }
@@ -136,8 +74,8 @@ static int any_in_band(sf_slice slice, const sfi_window *window, sf_voxel from, 
 static int any_in_window(sf_slice slice, sf_slice next, const sfi_window *window, sf_voxel from)
 {
     uint32_t y0, y1;
-    row_range(window, from, slice.height, &y0, &y1);
-    sf_rect around = row_part(window, from, slice.width, from.y);
+    sfi_window_rows(window, from, slice.height, &y0, &y1);
+    sf_rect around = sfi_window_row(window, from, slice.width, from.y);
     around.y0 = y0;
     around.y1 = y1;
     if (!any_in(slice, next, around)) {
@@ -171,10 +109,10 @@ static sfi_spot choose_matter(sf_slice slice, const sfi_window *window, sf_voxel
 {
     sfi_spot spot = {0, 0, 0, 0, 0};
     uint32_t y0, y1;
-    row_range(window, from, slice.height, &y0, &y1);
+    sfi_window_rows(window, from, slice.height, &y0, &y1);
     for (uint32_t y = y0; y < y1; y++) {
         const uint64_t *row = sfi_slice_row(slice, y);
-        sf_rect part = row_part(window, from, slice.width, y);
+        sf_rect part = sfi_window_row(window, from, slice.width, y);
         uint32_t right = sfi_row_find(row, part.x1, from.x, 0);
         uint32_t left = find_last(row, part.x0, from.x);
         if (left < from.x) {
@@ -182,50 +120,6 @@ static sfi_spot choose_matter(sf_slice slice, const sfi_window *window, sf_voxel
         }
         if (right < part.x1) {
             sfi_spot_offer(&spot, 0, from, right, y);
-        }
-    }
-    return spot;
-}
-
-static uint32_t least_of(const uint32_t *values, uint32_t count)
-{
-    uint32_t least = UINT32_MAX;
-    for (uint32_t i = 0; i < count; i++) {
-        least = values[i] < least ? values[i] : least;
-    }
-    return least;
-}
-
-// Squared distances of a part of a row of the bed.
-static const uint32_t *row_of(const sfi_bed *bed, sf_slice slice, sf_rect part)
-{
-    return bed->square + (size_t)part.y0 * slice.width + part.x0;
-}
-
-// The voxel of the bed within a window that is closest to the bed's matter.
-static sfi_spot choose_on_bed(const sfi_bed *bed, sf_slice slice, const sfi_window *window,
-                              sf_voxel from)
-{
-    sfi_spot spot = {0, 0, 0, 0, 0};
-    uint32_t y0, y1, least = UINT32_MAX;
-    row_range(window, from, slice.height, &y0, &y1);
-    for (uint32_t y = y0; y < y1; y++) {
-        sf_rect part = row_part(window, from, slice.width, y);
-        uint32_t here = least_of(row_of(bed, slice, part), part.x1 - part.x0);
-        least = here < least ? here : least;
-    }
-    for (uint32_t y = y0; y < y1; y++) {
-        sf_rect part = row_part(window, from, slice.width, y);
-        const uint32_t *square = row_of(bed, slice, part);
-        uint32_t count = part.x1 - part.x0;
-        // Most rows hold no such voxel, and a minimum is found faster than its place.
-        if (least_of(square, count) > least) {
-            continue;
-        }
-        for (uint32_t i = 0; i < count; i++) {
-            if (square[i] == least) {
-                sfi_spot_offer(&spot, least, from, part.x0 + i, y);
-            }
         }
     }
     return spot;
@@ -259,7 +153,7 @@ static sf_status land(sf_path_finder *f, const sfi_window *window, sf_voxel from
         spot = choose_matter(slice, window, from);
     } else {
         SF_TRY(sfi_bed_update(&f->bed, &f->site));
-        spot = choose_on_bed(&f->bed, slice, window, from);
+        spot = sfi_bed_choose(&f->bed, slice, window, from);
     }
     sf_voxel to = {spot.x, spot.y, z};
     size_t count = window->depth - (on_matter ? 1 : 0);

@@ -5,6 +5,7 @@
 #ifndef SF_SUPPORT_SEARCH_H
 #define SF_SUPPORT_SEARCH_H
 
+#include "support/grow/cone.h"
 #include "support/grow/site.h"
 #include "voxel/distance.h"
 
@@ -12,6 +13,7 @@
 // that slice is another.
 typedef struct sfi_bed {
     uint32_t *square;  // by voxels; NULL before
+    uint32_t *tiles;   // the least in each tile of them (bed.c)
     uint32_t *scratch; // for sfi_slice_distance()
     sf_grid *seen;     // one layer: the bed slice that they are for
 } sfi_bed;
@@ -45,6 +47,10 @@ static inline void sfi_spot_offer(sfi_spot *spot, uint64_t first, sf_voxel from,
         *spot = better;
     }
 }
+
+// The voxel of the bed within a window that is closest to the bed's matter.
+sfi_spot sfi_bed_choose(const sfi_bed *bed, sf_slice slice, const sfi_window *window,
+                        sf_voxel from);
 
 // The closest path by a search layer by layer, for every rule and all masks. `chain` has a place
 // for each layer. SF_OK; SF_ERR_INFEASIBLE: there is none; SF_ERR_MEMORY, SF_ERR_OVERFLOW.
