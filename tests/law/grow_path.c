@@ -28,6 +28,23 @@ static void check_path(const path_case *c, sf_voxel from, const sf_voxel *path, 
     }
 }
 
+// Under slack: what its end has to spare lasts up to the voxel.
+static void check_slack(const path_case *c, sf_voxel from, const sf_voxel *path, const sf_path *p)
+{
+    int on_matter = p->end == SF_PATH_END_MATTER, cap = c->rule.slack_cap;
+    size_t steps = p->count + (size_t)on_matter;
+    int x = (int)p->landing.x, y = (int)p->landing.y, z = (int)p->landing.z;
+    int i = (z * c->shape.ny + y) * c->shape.nx + x;
+    int s = p->end == SF_PATH_END_BED ? cap : on_matter && c->alive.solid[i] ? c->slack[i] : 0;
+    for (size_t k = steps; k-- > 0;) {
+        sf_voxel at = k < p->count ? path[k] : p->landing, up = k > 0 ? path[k - 1] : from;
+        sf_element e = stack_step(&c->rule, (int)at.z);
+        int room = naive_room(&c->rule, &e, (int)up.x, (int)up.y, (int)up.z, (int)at.x, (int)at.y);
+        s = naive_step(&c->rule, room, s);
+        CHECK(s >= 0);
+    }
+}
+
 // That it does what it is for: with it, and what it may land on held, the voxel is carried.
 static void check_carried(const path_case *c, sf_voxel from, const sf_voxel *path, size_t count)
 {
@@ -62,6 +79,8 @@ static void check_carried(const path_case *c, sf_voxel from, const sf_voxel *pat
     sf_grid_destroy(exempt);
 }
 
+static int questions; // of a case, where it counts them
+
 static void check_voxel(const path_case *c, sf_path_finder *finder, int x, int y, int z)
 {
     static const sf_path_end ends[3] = {SF_PATH_END_MATTER, SF_PATH_END_HELD, SF_PATH_END_BED};
@@ -69,6 +88,7 @@ static void check_voxel(const path_case *c, sf_path_finder *finder, int x, int y
     path_rank best;
     int t;
     sf_path p;
+    questions++;
     if (!naive_path(c, x, y, z, &best, &t)) {
         CHECK_EQ(sf_path_finder_find(finder, from, path, 64, &p), SF_ERR_INFEASIBLE);
         return;
@@ -85,6 +105,9 @@ static void check_voxel(const path_case *c, sf_path_finder *finder, int x, int y
         CHECK_EQ(p.bed_square, best.end == 2 && best.square > 0 ? best.square : 0);
     }
     check_path(c, from, path, &p);
+    if (c->rule.kind == SF_RULE_SLACK) {
+        check_slack(c, from, path, &p);
+    }
     if (test_random_below(8) == 0) {
         check_carried(c, from, path, p.count);
     }
@@ -159,16 +182,44 @@ static void layers_of_different_heights(void)
     }
 }
 
+// A slack rule of any angle on pixels of any shape, some of them with layers of different heights.
+static sf_rule random_slack_rule(int i, int nz, double *heights, uint64_t *table)
+{
+    static const double pitches[6][2] = {{0.1, 0.1}, {0.1, 0.1}, {0.1, 0.13},
+                                         {0.2, 0.1}, {0.1, 0.4}, {0.3, 0.07}};
+    sf_rule rule = sf_rule_box3();
+    sf_status status;
+    do {
+        double degrees = 8.0 + 70.0 * test_random_unit(), h = 0.03 + 0.2 * test_random_unit();
+        const double *pitch = pitches[test_random_below(6)];
+        sf_lattice lattice = {4, 4, (uint32_t)nz, pitch[0], pitch[1], h, NULL, {0.0, 0.0, 0.0}};
+        for (int k = 0; k < nz; k++) {
+            heights[k] = h * (i % 6 == 1 ? 1.0 : 0.2 + 1.3 * test_random_unit());
+        }
+        lattice.heights_mm = i % 3 == 1 ? heights : NULL;
+        status = sf_rule_make(SF_RULE_SLACK, degrees * (3.14159265358979323846 / 180.0), &lattice,
+                              table, &rule, NULL);
+    } while (status == SF_ERR_UNSUPPORTED);
+    CHECK_EQ(status, SF_OK);
+    return rule;
+}
+
+// Some 15,000 questions: one height and many, square pixels and oblong ones, masks or none.
 static void slack(void)
 {
     static path_case c;
-    static const double angles[4] = {20.0, 35.0, 45.0, 63.0};
-    for (int i = 0; i < 60; i++) {
-        path_random_case(&c, i, 3 + (int)test_random_below(6), 1 + (int)test_random_below(6), 8);
-        c.rule = rule_of_angle(SF_RULE_SLACK, angles[i % 4]);
+    double heights[16];
+    uint64_t table[32];
+    questions = 0;
+    for (int i = 0; i < 700; i++) {
+        int nx = 3 + (int)test_random_below(16), ny = 1 + (int)test_random_below(12);
+        int nz = 4 + (int)test_random_below(10);
+        path_random_case(&c, i, nx, ny, nz);
+        c.rule = random_slack_rule(i, nz, heights, table);
         c.rule.bridge.span_x = (uint16_t)(i % 5 == 0 ? 3 : 0);
-        check_case(&c, 12);
+        check_case(&c, 1 + nx * ny * nz / 24);
     }
+    CHECK(questions > 10000);
 }
 
 // 10.2: on layers of one height, where nothing is alive but what is landed on, t* is the least t

@@ -76,9 +76,9 @@ static inline int naive_step(const sf_rule *rule, int room, int s)
 static inline int naive_own(const path_case *c, const sf_rule *rule, int x, int y, int z)
 {
     sf_element e = stack_step(rule, z - 1);
-    int best = -1;
-    for (int uy = 0; uy < c->shape.ny; uy++) {
-        for (int ux = 0; ux < c->shape.nx; ux++) {
+    int best = -1, reach_y = e.reach_y, reach_x = e.half_width[0];
+    for (int uy = y - reach_y; uy <= y + reach_y; uy++) {
+        for (int ux = x - reach_x; ux <= x + reach_x; ux++) {
             if (stack_get(&c->alive, ux, uy, z - 1)) {
                 int i = (int)(stack_at((stack *)&c->alive, ux, uy, z - 1) - c->alive.solid);
                 int s = naive_step(rule, naive_room(rule, &e, x, y, z, ux, uy), c->slack[i]);
@@ -222,33 +222,65 @@ static inline int may_end(const path_case *c, int x, int y, int z, int demand, i
     return z == c->bed && is_passable(c, x, y, z);
 }
 
-// here[d][u] = whether a voxel u of layer z with slack d would do, given the same of layer z + 1.
-static inline void naive_layer(const path_case *c, int z, uint8_t (*above)[1024],
-                               uint8_t (*here)[1024])
+// Slacks of a voxel that would do, a bit for each of 0..255.
+typedef struct slack_set {
+    uint64_t bits[4];
+} slack_set;
+
+static inline int set_has(const slack_set *set, int d)
 {
-    int area = c->shape.nx * c->shape.ny, cap = c->rule.slack_cap;
-    sf_element e = stack_step(&c->rule, z);
-    for (int d = 0; d <= cap; d++) {
-        memset(here[d], 0, sizeof here[d]);
+    return set->bits[d / 64] >> (d % 64) & 1;
+}
+
+// to |= the slacks 0..cap from which a step with this room leads to one of `from`.
+static inline void set_add_step(slack_set *to, const slack_set *from, int room, int cap)
+{
+    if ((from->bits[0] | from->bits[1] | from->bits[2] | from->bits[3]) == 0) {
+        return;
     }
-    for (int i = 0; i < area; i++) {
-        int x = i % c->shape.nx, y = i / c->shape.nx;
-        for (int j = 0; j < area && is_passable(c, x, y, z); j++) {
-            int room = naive_room(&c->rule, &e, j % c->shape.nx, j / c->shape.nx, z + 1, x, y);
-            for (int d = 0; d <= cap && room != PATHS_NONE; d++) {
-                int s = naive_step(&c->rule, room, d);
-                here[d][i] |= (uint8_t)(s >= 0 && above[s][j]);
+    for (int w = 0; w < 4; w++) {
+        // Bit d of the word is bit d + room of the set.
+        int at = w * 64 + room, low = at >= 0 ? at / 64 : -((63 - at) / 64), shift = at - low * 64;
+        uint64_t first = low >= 0 && low < 4 ? from->bits[low] : 0;
+        uint64_t next = low + 1 >= 0 && low + 1 < 4 ? from->bits[low + 1] : 0;
+        to->bits[w] |= shift == 0 ? first : first >> shift | next << (64 - shift);
+    }
+    // With more than the cap one has the cap.
+    for (int d = room > 0 && room < cap ? cap - room + 1 : room > 0 ? 0 : cap + 1; d <= cap; d++) {
+        to->bits[d / 64] |= (uint64_t)set_has(from, cap) << (d % 64);
+    }
+    for (int d = cap + 1; d < 256; d++) {
+        to->bits[d / 64] &= ~((uint64_t)1 << (d % 64));
+    }
+}
+
+// here[u] = with which slacks a voxel u of layer z would do, given the same of layer z + 1.
+static inline void naive_layer(const path_case *c, int z, const slack_set *above, slack_set *here)
+{
+    int nx = c->shape.nx, ny = c->shape.ny, cap = c->rule.slack_cap;
+    sf_element e = stack_step(&c->rule, z);
+    int reach_y = e.reach_y, reach_x = e.half_width[0];
+    memset(here, 0, (size_t)(nx * ny) * sizeof *here);
+    for (int i = 0; i < nx * ny; i++) {
+        int x = i % nx, y = i / nx;
+        for (int v = y - reach_y; v <= y + reach_y && is_passable(c, x, y, z); v++) {
+            for (int u = x - reach_x; u <= x + reach_x; u++) {
+                int is_inside = u >= 0 && v >= 0 && u < nx && v < ny;
+                int room = is_inside ? naive_room(&c->rule, &e, u, v, z + 1, x, y) : PATHS_NONE;
+                if (room != PATHS_NONE) {
+                    set_add_step(&here[i], &above[v * nx + u], room, cap);
+                }
             }
         }
     }
 }
 
 // The best path of a voxel; t = layers down to its end, 0 for a voxel that needs none. Returns
-// whether there is one. Demands are tried one by one: can_reach[d][u] says that u with slack d
-// would do. Elements are the case of a cap of 0.
+// whether there is one. All pairs of a voxel and a slack are gone through, each with what it leads
+// to. Elements are the case of a cap of 0.
 static inline int naive_path(const path_case *c, int fx, int fy, int fz, path_rank *best, int *t)
 {
-    static uint8_t reach[2][256][1024];
+    static slack_set reach[2][1024];
     int area = c->shape.nx * c->shape.ny, cap = c->rule.slack_cap;
     memset(best, 0, sizeof *best);
     *t = 0;
@@ -260,16 +292,16 @@ static inline int naive_path(const path_case *c, int fx, int fy, int fz, path_ra
     if (fz < c->bed) {
         return 0;
     }
+    memset(reach[0], 0, sizeof reach[0]);
     for (int d = 0; d <= cap; d++) {
-        memset(reach[0][d], 0, sizeof reach[0][d]);
-        reach[0][d][fy * c->shape.nx + fx] = 1;
+        reach[0][fy * c->shape.nx + fx].bits[d / 64] |= (uint64_t)1 << (d % 64);
     }
     for (int z = fz - 1; z >= c->bed; z--) {
         naive_layer(c, z, reach[*t % 2], reach[(*t + 1) % 2]);
-        uint8_t(*here)[1024] = reach[++*t % 2];
+        const slack_set *here = reach[++*t % 2];
         for (int i = 0; i < area; i++) {
             int x = i % c->shape.nx, y = i / c->shape.nx, d = 0, end;
-            while (d <= cap && !here[d][i]) {
+            while (d <= cap && !set_has(&here[i], d)) {
                 d++;
             }
             if (d > cap || !may_end(c, x, y, z, d, &end)) {

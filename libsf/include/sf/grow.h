@@ -78,8 +78,9 @@ typedef struct sf_path_finder sf_path_finder;
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such landing, terms without their
  * struct_size, a bed layer that the grid has not, a rule that does not serve all its layers;
  * SF_ERR_SHAPE: a mask of other counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
- * @cost a search for the bed; where the finder keeps what is alive, a trim, and under slack a byte
- * for each voxel.
+ * @cost a search for the bed. Where the finder keeps what is alive, a trim, and under slack a byte
+ * for each voxel; on layers of one height also some ten bytes for each layer and row of the grid,
+ * until a cone fills its slices: 2 MB at 512^3.
  * @threads any; the grids are only read.
  * @since 0.2
  */
@@ -125,8 +126,11 @@ SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_ta
  * SF_ERR_INFEASIBLE: there is no path, as for a voxel below the bed layer that is not exempt, or
  * where the masks leave no way; SF_ERR_ARGUMENT: a NULL pointer, a voxel outside the grid;
  * SF_ERR_OVERFLOW; SF_ERR_MEMORY.
- * @cost O(t^3 / 64) word reads where the path is t layers long; under slack, and where the masks
- * lie in the way, O(t^3) bytes and memory for them.
+ * @cost O(t^3 / 64) word reads where the path is t layers long. Once, and again whenever the bed
+ * slice has changed, the first path that ends on the bed asks for a distance transform of that
+ * slice. Under slack on layers of different heights O(t^2) bytes are made, and kept until a voxel
+ * of another layer is asked about. Where the masks lie in the way O(t^3) bytes, and memory for
+ * them.
  * @threads one per finder; the grids are only read.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, section 2.2 (grow), by a search of the downward cone in place of a map.

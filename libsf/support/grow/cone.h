@@ -1,39 +1,48 @@
 // SPDX-License-Identifier: MIT
-// The downward cone of a voxel, for rules that are an element for each step.
+// The downward cone of a voxel, for every rule: windows that hold what can carry it through empty
+// space.
 
 #ifndef SF_SUPPORT_CONE_H
 #define SF_SUPPORT_CONE_H
 
 #include <sf/grow.h>
 
+#include "support/grow/fringe.h"
+
 // The windows below one voxel: window t holds the offsets that t steps down can make. Begin with
 // sfi_cone_begin(), then sfi_cone_deepen() for t = 1, 2, ...
 typedef struct sfi_cone {
-    sf_rule rule; // box3, octagon or disk, no bridges
+    sf_rule rule; // without bridges
     uint32_t width, height;
-    sf_allocator allocator;
-    uint32_t top;    // layer of the voxel
-    uint32_t depth;  // windows known so far
-    uint16_t *rows;  // disk: half widths of windows 1, 2, ..., `height` places for each
-    size_t capacity; // places in rows
-    uint32_t kept;   // disk of one height: windows known from earlier voxels
+    uint32_t top;      // layer of the voxel
+    uint32_t depth;    // of the last window
+    uint32_t surplus;  // slack: of the last window
+    sfi_fringe fringe; // disk and slack
 } sfi_cone;
 
-// A rectangle around a window, half-open, and which part of each of its rows the window takes.
 typedef struct sfi_window {
     const sfi_cone *cone;
     uint32_t depth;
-    uint32_t reach_y;      // rows above and below, within the slice's height
-    uint64_t axis, corner; // closed form: farthest along an axis, and |dx| + |dy| at most
-    const uint16_t *rows;  // or half widths
+    uint32_t reach_y;           // rows above and below, within the slice's height
+    uint64_t axis, corner;      // closed form: farthest along an axis, and |dx| + |dy| at most
+    const sfi_fringe_row *rows; // or by rows; else NULL
+    const uint8_t *demands;
+    uint32_t surplus;
 } sfi_window;
 
 // A row beyond the window.
 #define SFI_WINDOW_NONE UINT32_MAX
 
-sfi_cone sfi_cone_create(const sf_rule *plain, uint32_t width, uint32_t height,
-                         const sf_allocator *allocator);
+// SF_ERR_MEMORY; then there is nothing to destroy. Destroying what was never created does nothing.
+sf_status sfi_cone_create(const sf_rule *plain, uint32_t width, uint32_t height,
+                          const sf_allocator *allocator, sfi_cone *cone);
 void sfi_cone_destroy(sfi_cone *cone);
+
+// Make the windows that all voxels share, down to `depth`, if there are such and they are kept by
+// rows. Later that costs no more than here, but whoever asks first pays for it. SF_ERR_MEMORY,
+// SF_ERR_OVERFLOW.
+sf_status sfi_cone_prepare(sfi_cone *cone, uint32_t depth);
+
 void sfi_cone_begin(sfi_cone *cone, uint32_t top);
 
 // The next window, until the one after it. SF_ERR_MEMORY, SF_ERR_OVERFLOW.
@@ -47,10 +56,21 @@ static inline uint32_t sfi_window_half_width(const sfi_window *window, uint32_t 
         return SFI_WINDOW_NONE;
     }
     if (window->rows != NULL) {
-        return window->rows[dy];
+        return window->rows[dy].reach[window->surplus] - 1u;
     }
     uint64_t slant = window->corner - dy;
     return (uint32_t)(slant < window->axis ? slant : window->axis);
+}
+
+// What matter at an offset of a window must have to spare, at least.
+static inline uint32_t sfi_window_demand(const sfi_window *window, uint32_t dx, uint32_t dy)
+{
+    if (window->rows == NULL || dx < window->rows[dy].free) {
+        return 0;
+    }
+    const sfi_fringe_row *row = &window->rows[dy];
+    uint32_t demand = window->demands[row->first + (dx - row->free)];
+    return demand > window->surplus ? demand - window->surplus : 0;
 }
 
 // The rows of a window around `from`, within a slice: y0 <= y < y1.
@@ -72,7 +92,8 @@ static inline sf_rect sfi_window_row(const sfi_window *window, sf_voxel from, ui
 }
 
 // Write the voxels of a chain down from `from` to `to`, both left out, window->depth layers apart
-// and within the window: each step lies in its layer's element.
+// and within the window: each step lies in its layer's element, and under slack the chain stands on
+// matter that has to spare what `to` is asked for.
 void sfi_cone_chain(const sfi_window *window, sf_voxel from, sf_voxel to, sf_voxel *chain);
 
 #endif

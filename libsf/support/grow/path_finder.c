@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Path finder: the closest supporting path of one voxel by a search of its downward cone.
 //
-// Let W_t be what t steps down can reach (cone.c), clipped to the grid, and t* the least t such
-// that W_t meets matter in its layer. The layers of the cone above are empty, so nothing is in the
-// way of any chain to that matter: t* - 1 voxels are filled, and no path does with less, since a
-// path of fewer voxels would land higher. Where the whole cone is empty every path goes to the bed,
-// through as many voxels, and the best one ends where the matter of the bed slice is closest.
+// Let W_t be what t steps down can reach through empty space (cone.c), clipped to the grid, and t*
+// the least t such that W_t holds something to end on in its layer: matter, which under slack must
+// have to spare what its place in the window asks for (fringe.c), or an exempt voxel. Nothing is in
+// the way of the chains there: matter with too little to spare is passed through like empty space.
+// So t* - 1 voxels are filled, or t* on an exempt voxel, and no path does with less, since a path
+// of fewer voxels would end higher. Where there is no such t every path goes to the bed, through as
+// many voxels, and the best one ends where the matter of the bed slice is closest.
 //
 // So no map of the grid is needed: rows of the windows are tested a word at a time, layer by layer,
-// and the first layer that answers ends the search. A test costs no memory and looks at the grid as
-// it is, so nothing gets out of date.
+// and the first layer that answers ends the search. For rules that are elements a test costs no
+// memory and looks at the grid as it is, so nothing gets out of date. Under slack what matter has
+// to spare is kept (site.c), and looked at only where a window's rim meets matter.
 //
-// Two things can spoil this: voxels on the way that must not be filled, and exempt voxels, on which
-// a path may end in the air. The search goes on as if there were none: if the path that it finds is
-// allowed, it is one of the best (more freedom could not make it longer), else, and under slack,
-// where a window does not tell who reaches what, the slower search of descent.c answers.
+// Masks can spoil this: voxels on the way that must not be filled. The search goes on as if there
+// were none: if the path that it finds is allowed, it is one of the best (more freedom could not
+// make it longer), else the slower search of search.c answers.
 //
 // Source: the cost and the paths are T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free
 // Shapes for Fabrication", 2016; the search of the cone is the library's own.
@@ -104,18 +106,45 @@ static uint32_t find_last(const uint64_t *row, uint32_t x0, uint32_t x1)
     return x1;
 }
 
-// The best solid voxel within a window.
-static sfi_spot choose_matter(sf_slice slice, const sfi_window *window, sf_voxel from)
+// What a path may end on in one layer: matter that it can rest on, or voxels that are held.
+typedef struct ends {
+    const sfi_site *site;
+    const sfi_window *window;
+    sf_voxel from;
+    sf_slice slice;
+    sf_path_end kind;
+} ends;
+
+// Whether the voxel at (x, y), which lies in the window, has to spare what is asked of it. What is
+// held has nothing.
+static int is_enough(const ends *e, uint32_t x, uint32_t y)
+{
+    sf_voxel from = e->from, at = {x, y, from.z - e->window->depth};
+    uint32_t dx = x > from.x ? x - from.x : from.x - x, dy = y > from.y ? y - from.y : from.y - y;
+    uint32_t demand = sfi_window_demand(e->window, dx, dy);
+    return demand == 0 || (e->kind == SF_PATH_END_MATTER && sfi_site_slack(e->site, at) >= demand);
+}
+
+// The best of them within the window.
+static sfi_spot choose_end(const ends *e)
 {
     sfi_spot spot = {0, 0, 0, 0, 0};
+    sf_voxel from = e->from;
     uint32_t y0, y1;
-    sfi_window_rows(window, from, slice.height, &y0, &y1);
+    sfi_window_rows(e->window, from, e->slice.height, &y0, &y1);
     for (uint32_t y = y0; y < y1; y++) {
-        const uint64_t *row = sfi_slice_row(slice, y);
-        sf_rect part = sfi_window_row(window, from, slice.width, y);
+        const uint64_t *row = sfi_slice_row(e->slice, y);
+        sf_rect part = sfi_window_row(e->window, from, e->slice.width, y);
         uint32_t right = sfi_row_find(row, part.x1, from.x, 0);
-        uint32_t left = find_last(row, part.x0, from.x);
-        if (left < from.x) {
+        while (right < part.x1 && !is_enough(e, right, y)) {
+            right = sfi_row_find(row, part.x1, right + 1, 0);
+        }
+        uint32_t left = find_last(row, part.x0, from.x), none = from.x;
+        while (left < none && !is_enough(e, left, y)) {
+            none = left;
+            left = find_last(row, part.x0, left);
+        }
+        if (left < none) {
             sfi_spot_offer(&spot, 0, from, left, y);
         }
         if (right < part.x1) {
@@ -129,78 +158,101 @@ static sfi_spot choose_matter(sf_slice slice, const sfi_window *window, sf_voxel
 // Search
 // ---------------------------------------------------------------------------------------------
 
+// Whether a path may go through a voxel: it is solid or may be filled.
+static int is_passable(const sfi_site *site, sf_voxel v)
+{
+    uint64_t free = sfi_site_free_word(site, v.z, v.y, v.x / 64);
+    uint64_t solid = sfi_slice_row(sf_grid_slice(site->grid, v.z), v.y)[v.x / 64];
+    return ((free | solid) >> (v.x % 64) & 1) != 0;
+}
+
 // Whether all voxels of a chain may be filled, or are.
 static int is_chain_allowed(const sfi_site *site, const sf_voxel *chain, size_t count)
 {
     int is_masked = site->terms.forbid != NULL || site->terms.act != NULL;
     for (size_t i = 0; is_masked && i < count; i++) {
-        if (!sfi_site_is_passable(site, chain[i])) {
+        if (!is_passable(site, chain[i])) {
             return 0;
         }
     }
     return 1;
 }
 
-// The path that ends in a window, on matter or on the bed; *is_allowed says whether the masks let
-// it be.
-static sf_status land(sf_path_finder *f, const sfi_window *window, sf_voxel from, int on_matter,
-                      sf_path *found, int *is_allowed)
+// The path that ends at a spot of a window; *is_allowed says whether the masks let it be.
+static void land(sf_path_finder *f, const sfi_window *window, sf_voxel from, sf_path_end end,
+                 const sfi_spot *spot, sf_path *found, int *is_allowed)
 {
-    uint32_t z = from.z - window->depth;
-    sf_slice slice = sf_grid_slice(f->site.roots, z);
-    sfi_spot spot;
-    if (on_matter) {
-        spot = choose_matter(slice, window, from);
-    } else {
-        SF_TRY(sfi_bed_update(&f->bed, &f->site));
-        spot = sfi_bed_choose(&f->bed, slice, window, from);
-    }
-    sf_voxel to = {spot.x, spot.y, z};
-    size_t count = window->depth - (on_matter ? 1 : 0);
+    sf_voxel to = {spot->x, spot->y, from.z - window->depth};
+    size_t count = window->depth - (end == SF_PATH_END_MATTER ? 1 : 0);
     sfi_cone_chain(window, from, to, f->chain);
-    if (!on_matter) {
+    if (end != SF_PATH_END_MATTER) {
         f->chain[count - 1] = to;
     }
     *is_allowed = is_chain_allowed(&f->site, f->chain, count);
-    *found = sfi_path_make(count, on_matter ? SF_PATH_END_MATTER : SF_PATH_END_BED, to,
-                           (uint32_t)spot.first);
+    *found = sfi_path_make(count, end, to, (uint32_t)spot->first);
+}
+
+// Matter, or what is held, by layers.
+static sf_slice ends_in(const sfi_site *site, sf_path_end kind, uint32_t z)
+{
+    return kind == SF_PATH_END_MATTER ? sf_grid_slice(site->roots, z)
+                                      : sfi_mask_slice(site->terms.exempt, z);
+}
+
+// The best end within a window, if there is one. SF_OK, or a failure of memory.
+static sf_status find_end(sf_path_finder *f, const sfi_window *window, sf_voxel from,
+                          sf_path_end *end, sfi_spot *spot)
+{
+    static const sf_path_end kinds[2] = {SF_PATH_END_MATTER, SF_PATH_END_HELD};
+    const sfi_site *site = &f->site;
+    uint32_t z = from.z - window->depth;
+    for (int i = 0; i < 2; i++) {
+        sf_slice slice = ends_in(site, kinds[i], z);
+        sf_slice next = z > site->bed ? ends_in(site, kinds[i], z - 1) : SFI_NO_SLICE;
+        if (slice.words != NULL && any_in_window(slice, next, window, from)) {
+            ends e = {site, window, from, slice, kinds[i]};
+            *end = kinds[i];
+            *spot = choose_end(&e);
+            if (spot->is_found) {
+                return SF_OK;
+            }
+        }
+    }
+    if (z == site->bed) {
+        SF_TRY(sfi_bed_update(&f->bed, site));
+        *end = SF_PATH_END_BED;
+        *spot = sfi_bed_choose(&f->bed, sf_grid_slice(site->roots, z), window, from);
+    }
     return SF_OK;
 }
 
-// *is_answer = 0 where the search cannot tell.
+// *is_answer = 0 where the masks are in the way of the path that is found.
 static sf_status search_cone(sf_path_finder *f, sf_voxel from, sf_path *found, int *is_answer)
 {
-    const sfi_site *site = &f->site;
+    sfi_spot spot = {0, 0, 0, 0, 0};
+    sf_path_end end = SF_PATH_END_BED;
     sfi_cone_begin(&f->cone, from.z);
-    for (uint32_t z = from.z; z-- > site->bed;) {
+    for (;;) {
         sfi_window window;
         SF_TRY(sfi_cone_deepen(&f->cone, &window));
-        sf_slice next = z > site->bed ? sf_grid_slice(site->roots, z - 1) : SFI_NO_SLICE;
-        int is_hit = any_in_window(sf_grid_slice(site->roots, z), next, &window, from);
-        sf_slice exempt = sfi_mask_slice(site->terms.exempt, z);
-        if (!is_hit && exempt.words != NULL && any_in_window(exempt, SFI_NO_SLICE, &window, from)) {
-            break;
-        }
-        if (is_hit || z == site->bed) {
-            return land(f, &window, from, is_hit, found, is_answer);
+        SF_TRY(find_end(f, &window, from, &end, &spot));
+        if (spot.is_found) {
+            land(f, &window, from, end, &spot, found, is_answer);
+            return SF_OK;
         }
     }
-    *is_answer = 0;
-    return SF_OK;
 }
 
 static sf_status search(sf_path_finder *f, sf_voxel from, sf_path *found)
 {
+    int is_answer;
     if (sfi_path_is_trivial(&f->site, from, found)) {
         return SF_OK;
     }
     if (from.z < f->site.bed) {
         return SF_ERR_INFEASIBLE;
     }
-    int is_answer = 0;
-    if (f->site.plain.kind != SF_RULE_SLACK) {
-        SF_TRY(search_cone(f, from, found, &is_answer));
-    }
+    SF_TRY(search_cone(f, from, found, &is_answer));
     return is_answer ? SF_OK : sfi_descend(&f->site, &f->bed, from, f->chain, found);
 }
 
@@ -241,29 +293,50 @@ void sf_path_finder_destroy(sf_path_finder *finder)
     sfi_free_array(&allocator, finder, 1, sizeof *finder);
 }
 
+// Memory for the questions. Where a sweep of the grid was needed, what takes less is made beside
+// it, so that no question waits for it: distances on the bed, and under slack the windows that all
+// voxels share.
+static sf_status prepare(sf_path_finder *f, const sf_allocator *allocator)
+{
+    const sf_lattice *lattice = &f->site.lattice;
+    f->chain = sfi_alloc_array(&f->site.allocator, lattice->nz, sizeof *f->chain);
+    if (f->chain == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    SF_TRY(sfi_cone_create(&f->site.plain, lattice->nx, lattice->ny, allocator, &f->cone));
+    if (f->site.alive == NULL) {
+        return SF_OK;
+    }
+    SF_TRY(sfi_bed_update(&f->bed, &f->site));
+    return sfi_cone_prepare(&f->cone, lattice->nz - 1);
+}
+
 sf_status sf_path_finder_create(const sf_grid *grid, const sf_terms *terms, sf_landing landing,
                                 const sf_allocator *allocator, sf_task *task,
                                 sf_path_finder **finder)
 {
-    sf_path_finder made = {0};
     sfi_progress progress = sfi_progress_begin(task);
     if (finder == NULL || grid == NULL) {
         return SF_ERR_ARGUMENT;
     }
     sfi_stage stage = {task, &progress, 0, sf_grid_lattice(grid).nz};
-    SF_TRY(sfi_site_open(&made.site, grid, terms, landing, allocator, &stage));
-    const sf_lattice *lattice = &made.site.lattice;
-    made.cone = sfi_cone_create(&made.site.plain, lattice->nx, lattice->ny, allocator);
-    made.chain = sfi_alloc_array(&made.site.allocator, lattice->nz, sizeof *made.chain);
-    sf_path_finder *placed = sfi_alloc_array(&made.site.allocator, 1, sizeof *placed);
-    if (made.chain == NULL || placed == NULL) {
-        sfi_free_array(&made.site.allocator, placed, 1, sizeof *placed);
-        sfi_free_array(&made.site.allocator, made.chain, lattice->nz, sizeof *made.chain);
-        sfi_site_close(&made.site);
+    sf_allocator from = sfi_allocator_or_default(allocator);
+    sf_path_finder empty = {0}, *made = sfi_alloc_array(&from, 1, sizeof *made);
+    if (made == NULL) {
         return SF_ERR_MEMORY;
     }
-    *placed = made;
-    *finder = placed;
+    *made = empty;
+    sf_status status = sfi_site_open(&made->site, grid, terms, landing, allocator, &stage);
+    if (status != SF_OK) {
+        sfi_free_array(&from, made, 1, sizeof *made);
+        return status;
+    }
+    status = prepare(made, allocator);
+    if (status != SF_OK) {
+        sf_path_finder_destroy(made);
+        return status;
+    }
+    *finder = made;
     return SF_OK;
 }
 

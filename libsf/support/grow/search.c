@@ -18,9 +18,11 @@
 // and unreachable below 1: word for word the step of slack codes from a layer to the next, here
 // from a layer to the one below it. So sfi_carry() takes both. A path may end on matter with slack
 // s, of code s + 1, where s >= d: where the two codes sum up to at least cap + 2. On the bed s =
-// cap, so every voxel reached will do. No closed form for chains is needed, heights may differ from
-// layer to layer, and matter with too little slack is no obstacle: the path goes through it and
-// gives it what it lacks.
+// cap, so every voxel reached will do. Matter with too little slack is no obstacle: the path goes
+// through it and gives it what it lacks.
+//
+// Where all voxels may be passed the windows of a cone (fringe.c) say the same, and much faster; so
+// a path finder comes here only where its masks are in the way of what the cone offers.
 //
 // An exempt voxel that may be filled ends a path where d is 0 (it has no slack of its own).
 //
@@ -174,19 +176,12 @@ typedef struct goal {
 // Whether the reach is enough for a path to end at voxel (x, y) of the rectangle.
 static int is_enough(const descent *d, sfi_front front, const goal *g, uint32_t x, uint32_t y)
 {
-    const sfi_site *site = d->site;
     if (front.slack == NULL) {
         return 1;
     }
-    uint32_t code = 1; // what is exempt, or hangs in the air, has nothing to spare
-    if (!g->is_held) {
-        size_t row = (size_t)(d->rect.y0 + y) * sfi_slack_stride(site->lattice.nx);
-        uint8_t kept = site->codes[g->z * site->code_bytes + row + d->rect.x0 + x];
-        int is_alive =
-            sf_slice_get(sf_grid_slice(site->alive, g->z), d->rect.x0 + x, d->rect.y0 + y);
-        code = is_alive ? kept : 1;
-    }
-    return code + code_at(front, x, y) >= site->plain.slack_cap + 2u;
+    sf_voxel at = {d->rect.x0 + x, d->rect.y0 + y, g->z};
+    uint32_t slack = g->is_held ? 0 : sfi_site_slack(d->site, at);
+    return slack + code_at(front, x, y) >= d->site->plain.slack_cap + 1u;
 }
 
 static sfi_spot choose_goal(const descent *d, sfi_front front, const goal *g)

@@ -180,6 +180,15 @@ uint64_t sfi_site_free_word(const sfi_site *site, uint32_t z, uint32_t y, size_t
     return i + 1 == sfi_row_words(site->lattice.nx) ? free & sfi_tail_mask(site->lattice.nx) : free;
 }
 
+uint32_t sfi_site_slack(const sfi_site *site, sf_voxel v)
+{
+    if (!sf_slice_get(sf_grid_slice(site->alive, v.z), v.x, v.y)) {
+        return 0;
+    }
+    size_t row = (size_t)v.y * sfi_slack_stride(site->lattice.nx);
+    return site->codes[v.z * site->code_bytes + row + v.x] - 1u;
+}
+
 // ---------------------------------------------------------------------------------------------
 // Paths
 // ---------------------------------------------------------------------------------------------

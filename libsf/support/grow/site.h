@@ -64,13 +64,8 @@ sf_status sfi_field_fill(const sfi_field *field, const sf_grid *solid, const sf_
 // 64 voxels of a row, from column 64 * i on: which of them are empty and may be filled.
 uint64_t sfi_site_free_word(const sfi_site *site, uint32_t z, uint32_t y, size_t i);
 
-// Whether a path may go through a voxel: it is solid or may be filled.
-static inline int sfi_site_is_passable(const sfi_site *site, sf_voxel v)
-{
-    uint64_t free = sfi_site_free_word(site, v.z, v.y, v.x / 64);
-    uint64_t solid = sfi_slice_row(sf_grid_slice(site->grid, v.z), v.y)[v.x / 64];
-    return ((free | solid) >> (v.x % 64) & 1) != 0;
-}
+// Under slack, what matter has to spare; none where it is dead.
+uint32_t sfi_site_slack(const sfi_site *site, sf_voxel v);
 
 // A path, its end and its cost, apart from its voxels: those of a finder and of a map are one.
 // bed_square is that of sfi_slice_distance() where the end is the bed.
