@@ -68,15 +68,21 @@ static void site_end(site *s)
     sf_grid_destroy(s->grid);
 }
 
+static int is_solid(const site *s, const double p[3])
+{
+    double x = floor(p[0] + 16), y = floor(p[1] + 6), z = floor(p[2]);
+    return x >= 0 && y >= 0 && z >= 0 && x < 32 && y < 12 && z < 32 &&
+           sf_slice_get(sf_grid_slice(s->grid, (uint32_t)z), (uint32_t)x, (uint32_t)y);
+}
+
 // Points in solid voxels.
 static void fill_points(const site *s, double *p)
 {
     for (int i = 0; i < POINTS;) {
-        double q[3] = {32 * test_random_unit(), 12 * test_random_unit(), 32 * test_random_unit()};
-        if (sf_slice_get(sf_grid_slice(s->grid, (uint32_t)q[2]), (uint32_t)q[0], (uint32_t)q[1])) {
-            p[3 * i] = q[0] - 16;
-            p[3 * i + 1] = q[1] - 6;
-            p[3 * i + 2] = q[2];
+        p[3 * i] = 32 * test_random_unit() - 16;
+        p[3 * i + 1] = 12 * test_random_unit() - 6;
+        p[3 * i + 2] = 32 * test_random_unit();
+        if (is_solid(s, p + 3 * i)) {
             i++;
         }
     }
@@ -120,9 +126,14 @@ static void bent_points_come_back(void)
                                        NULL, &missed),
                      SF_OK);
             CHECK_EQ(missed, 0);
-            for (size_t i = 0; i < POINTS && fold.folded == 0; i++) {
-                CHECK(distance(rest + 3 * i, p + 3 * i) < 1e-6);
+            // Where two limbs run through each other there are two answers.
+            size_t others = 0;
+            for (size_t i = 0; i < POINTS; i++) {
+                int same = distance(rest + 3 * i, p + 3 * i) < 1e-6;
+                others += !same;
+                CHECK(same || is_solid(&s, rest + 3 * i));
             }
+            CHECK(others < POINTS / 50);
         }
         CHECK(round > 0 || fold.folded == 0);
         site_end(&s);
@@ -190,13 +201,9 @@ static void what_is_found_is_bent_to_its_place(void)
         SF_OK);
     bend(&s, rest, ALL, back);
     for (size_t i = 0; i < ALL; i++) {
-        double q[3] = {rest[3 * i] + 16, rest[3 * i + 1] + 6, rest[3 * i + 2]};
         CHECK_NEAR(distance(back + 3 * i, bent + 3 * i), residual[i], 1e-12);
         found += residual[i] <= 1e-7;
-        inside +=
-            residual[i] <= 1e-7 && q[0] >= 0 && q[1] >= 0 && q[2] >= 0 && q[0] < 32 && q[1] < 12 &&
-            q[2] < 32 &&
-            sf_slice_get(sf_grid_slice(s.grid, (uint32_t)q[2]), (uint32_t)q[0], (uint32_t)q[1]);
+        inside += residual[i] <= 1e-7 && is_solid(&s, rest + 3 * i);
     }
     CHECK_EQ(found + missed, ALL);
     // As many inside as the bent solid holds: its volume over that of a cell of the rows.
@@ -210,7 +217,7 @@ static void what_is_found_is_bent_to_its_place(void)
 static void folds_are_found(void)
 {
     site s;
-    sf_fold fold, again;
+    sf_fold fold;
     site_begin(&s, 0);
     CHECK_EQ(sf_weights_fold(s.weights, s.poses, NULL, &fold), SF_OK);
     CHECK_NEAR(fold.least_det, 1, 1e-12);
@@ -236,7 +243,13 @@ static void folds_are_found(void)
     CHECK(fold.folded > 0 && fold.least_det < 0);
     double worst = INFINITY;
     for (int side = 0; side < 8; side++) {
-        double p[4][3], out[4][3], m[9];
+        double p[4][3], out[4][3], m[9], q[3];
+        for (int d = 0; d < 3; d++) {
+            q[d] = fold.at_mm[d] + (side >> d & 1 ? 0.5 : -0.5);
+        }
+        if (!is_solid(&s, q)) {
+            continue;
+        }
         for (int k = 0; k < 4; k++) {
             for (int d = 0; d < 3; d++) {
                 double away = side >> d & 1 ? 1e-6 : -1e-6;
@@ -252,6 +265,14 @@ static void folds_are_found(void)
         worst = det < worst ? det : worst;
     }
     CHECK_NEAR(worst, fold.least_det, 1e-3 * fabs(fold.least_det));
+    site_end(&s);
+}
+
+static void folds_refuse_nonsense(void)
+{
+    site s;
+    sf_fold fold = {7, {7, 7, 7}, 7, 7}, again;
+    site_begin(&s, 0.3);
     sf_task task = sf_task_default();
     sf_task_cancel(&task);
     again = fold;
@@ -349,6 +370,7 @@ int main(void)
     TEST(bent_points_come_back);
     TEST(what_is_found_is_bent_to_its_place);
     TEST(folds_are_found);
+    TEST(folds_refuse_nonsense);
     TEST(the_same_bytes);
     TEST(nonsense_and_memory);
     return test_finish();
