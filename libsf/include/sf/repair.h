@@ -33,8 +33,8 @@ typedef struct sf_repair_options {
     uint32_t min_feature_vx;    /**< added matter is made of squares of at least this many voxels
                                      each way, where there is room for them; 1 (default) asks
                                      nothing; at most SF_REACH_MAX */
-    uint32_t rounds;            /**< most rounds of improvement; 0 (default): until one fails to
-                                     improve; SF_REPAIR_FIRST: none */
+    uint32_t rounds;            /**< most rounds of improvement from each start that is tried; 0
+                                     (default): until one fails to improve; SF_REPAIR_FIRST: none */
 } sf_repair_options;
 
 /** What a repair did and what it cost. */
@@ -49,7 +49,7 @@ typedef struct sf_repair_report {
                                   SF_REPAIR_NO_COST where that forest does not carry it all */
     uint64_t culprit_count;  /**< voxels that must stay and cannot: 0 unless it is infeasible */
     uint64_t peak_memory;    /**< most bytes of working memory at one time */
-    uint32_t rounds;         /**< rounds of improvement that were made, the last one in vain */
+    uint32_t rounds;         /**< rounds of improvement that were made, over all starts */
     uint32_t bed_layer;      /**< the bed layer; SF_BED_AUTO when the grid holds no matter */
 } sf_repair_report;
 
@@ -73,8 +73,12 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * before it was written.
  *
  * Nor does it cost more than what sf_grid_grow() makes under the same terms, with two exceptions: a
- * least width or SF_REPAIR_FIRST; and more than 2^26 voxels from the bed up, unless the cost is
- * more than a 64th of the number of voxels that a trim removes.
+ * least width or SF_REPAIR_FIRST; and more than 2^26 voxels from the bed up, unless the first
+ * result costs more than a 64th of the number of voxels that a trim removes.
+ *
+ * Nor does it cost more than the same repair with `keep` the whole shape, where that is possible,
+ * with two exceptions: SF_REPAIR_FIRST, or a least width under slack or with bridges; and more than
+ * four million voxels in the air.
  *
  * With a least width, additions are squares of that width whose chains of squares stand on squares
  * of what is kept; single voxels only where neither fits. Under slack such chains then take only
@@ -98,7 +102,8 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * was.
  * @cost a few sweeps over the grid, 2 bytes for each voxel of the rectangles that the unsupported
  * matter reaches downward (4 under slack), and time by what is unsupported, a reach's area for each
- * voxel of it; where grow is asked, what that costs.
+ * voxel of it and again for each round; where grow is asked, what that costs. What could take
+ * longer is bounded (docs/repair.md).
  * @threads one per grid.
  * @source a library's own; T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for
  * Fabrication", Eurographics 2016, for its two ends, trim and grow.

@@ -334,6 +334,7 @@ sf_status sfi_forest_grow(const sfi_job *job, const sfi_price *price, sfi_forest
     forest f = {.job = job, .price = price, .options = options};
     options->all = 0;
     options->is_feasible = 1;
+    options->nodes = 0;
     sf_status status = forest_create(&f);
     if (status == SF_OK) {
         status = go_down(&f);
@@ -341,6 +342,7 @@ sf_status sfi_forest_grow(const sfi_job *job, const sfi_price *price, sfi_forest
     if (status == SF_OK) {
         status = go_up(&f, result);
     }
+    options->nodes = f.count;
     forest_destroy(&f);
     return status;
 }

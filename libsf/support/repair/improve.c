@@ -12,85 +12,23 @@
 // not be dearer than R, and what R deleted may now hang on what R added. Two forests are tried,
 // with and without preference for drawn supporters; rounds end when neither is cheaper.
 //
-// In the end the result is held against a grow of one path after the other (in_turn.c), in shapes
-// of less than a million voxels in the air.
+// In the end the result can be held against a grow of one path after the other (in_turn.c), in
+// shapes of less than a million voxels in the air.
 //
-// Further starts are entered in `starts` below.
+// Rounds are made while one saves a part in 128 at least. Where more than a million voxels hang
+// they also end when their forests have had 2^26 nodes together: a forest over a whole roof takes
+// seconds.
+//
+// Further starts are entered in `starts` below; starts that a caller brings along have rounds of
+// their own (attempt.c).
 
 #include "support/repair/repair.h"
 
 #include "base/status.h"
-#include "support/check/row.h"
 #include "support/repair/improve.h"
 #include "support/rule/carry.h"
 #include "voxel/grid.h"
 #include "voxel/slice.h"
-
-// ---------------------------------------------------------------------------------------------
-// What a result costs
-// ---------------------------------------------------------------------------------------------
-
-static uint64_t sum_costs(const uint8_t *costs, const uint64_t *bits, size_t words)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < words; i++) {
-        for (uint64_t w = bits[i]; w != 0; w &= w - 1) {
-            sum += costs == NULL ? 1 : costs[i * 64 + sfi_lowest_bit(w)];
-        }
-    }
-    return sum;
-}
-
-// Voxels of row a without those of row b: their number is added to count, their costs to
-// cost. Bits past the width have none: what the caller drew may hold some.
-static void bill_row(const uint8_t *costs, const uint64_t *a, const uint64_t *b, uint32_t width,
-                     uint64_t *count, uint64_t *cost)
-{
-    uint64_t rest[SFI_ROW_WORDS_MAX];
-    size_t words = sfi_row_words(width);
-    const sfi_kernels *kernels = sfi_kernels_get();
-    kernels->subtract_words(rest, a, b, words);
-    rest[words - 1] &= sfi_tail_mask(width);
-    uint64_t number = kernels->popcount(rest, words);
-    *count += number;
-    *cost += costs == NULL || number == 0 ? number : sum_costs(costs, rest, words);
-}
-
-sfi_bill sfi_job_bill(const sfi_job *job, const sf_grid *result)
-{
-    sfi_bill bill = {0, 0, 0};
-    uint32_t nx = job->lattice.nx, ny = job->lattice.ny;
-    for (uint32_t k = 0; k < job->lattice.nz; k++) {
-        sf_slice is = sf_grid_slice(result, k), was = sf_grid_slice(job->drawn, k);
-        for (uint32_t y = 0; y < ny; y++) {
-            size_t at = ((size_t)k * ny + y) * nx;
-            const uint64_t *now = sfi_slice_row(is, y), *then = sfi_slice_row(was, y);
-            const uint8_t *add = job->add != NULL ? job->add + at : NULL;
-            const uint8_t *remove = job->remove != NULL ? job->remove + at : NULL;
-            uint64_t cost = 0;
-            bill_row(add, now, then, nx, &bill.added, &cost);
-            bill.cost += cost * job->scale;
-            bill_row(remove, then, now, nx, &bill.removed, &bill.cost);
-        }
-    }
-    return bill;
-}
-
-// What giving up costs that the room has no place for, whatever is done.
-static uint64_t cost_of_lost(const sfi_job *job)
-{
-    uint64_t count = 0, cost = 0;
-    uint32_t nx = job->lattice.nx, ny = job->lattice.ny;
-    for (uint32_t k = 0; k < job->lattice.nz; k++) {
-        sf_slice drawn = sf_grid_slice(job->drawn, k), room = sf_grid_slice(job->room, k);
-        for (uint32_t y = 0; y < ny; y++) {
-            const uint8_t *remove =
-                job->remove != NULL ? job->remove + ((size_t)k * ny + y) * nx : NULL;
-            bill_row(remove, sfi_slice_row(drawn, y), sfi_slice_row(room, y), nx, &count, &cost);
-        }
-    }
-    return cost;
-}
 
 // ---------------------------------------------------------------------------------------------
 // Starts
@@ -104,6 +42,7 @@ typedef struct search {
     uint64_t cost; // of best; SF_REPAIR_NO_COST while there is none
     uint64_t all;  // of keeping everything along the first forest
     int is_small;
+    uint64_t nodes; // of all forests until now
     sfi_price price;
     sf_grid *free, *roots, *resting; // of a round
 } search;
@@ -111,8 +50,9 @@ typedef struct search {
 // A saving of one part in this many is worth another round.
 #define WORTH 128
 
-// Drawn voxels that do not stand by themselves, up to which every forest is tried.
-#define SMALL 1000000u
+// Where very much hangs, nodes of all forests after which there is no further round; a few tens of
+// millions take a second or two.
+#define NODES_MOST (UINT64_C(1) << 26)
 
 // Take the trial as the best where it is cheaper. Returns whether it was.
 static int offer(search *s)
@@ -140,10 +80,11 @@ static sf_status start_with_trim(search *s)
 
 static sf_status try_forest(search *s, const sfi_job *job, int prefer_drawn)
 {
-    sfi_forest forest = {prefer_drawn, 0, 0};
+    sfi_forest forest = {prefer_drawn, 0, 0, 0};
     SF_TRY(sfi_forest_grow(job, &s->price, &forest, s->trial));
+    s->nodes += forest.nodes;
     if (s->all == SF_REPAIR_NO_COST && forest.all != UINT64_MAX) {
-        s->all = forest.all + cost_of_lost(job);
+        s->all = forest.all + sfi_job_cost_of_lost(job);
     }
     if (forest.is_feasible) {
         offer(s);
@@ -266,11 +207,14 @@ static sf_status whole_round(search *s)
     SF_TRY(clean(s));
     uint64_t cleaned = s->cost;
     SF_TRY(reforest(s, s->job, 1));
-    // The slower choice has its turn where it is not slow.
-    if (s->cost == cleaned && s->is_small) {
-        SF_TRY(reforest(s, s->job, 0));
-    }
-    return SF_OK;
+    // The slower choice has its turn where it is not slow. The prices are still those of the best.
+    return s->cost == cleaned && s->is_small ? try_forest(s, s->job, 0) : SF_OK;
+}
+
+// Whether there were rounds enough, though each still paid.
+static int is_long(const search *s)
+{
+    return !s->is_small && s->nodes > NODES_MOST;
 }
 
 static sf_status improve(search *s, uint32_t most, uint32_t *rounds)
@@ -280,14 +224,14 @@ static sf_status improve(search *s, uint32_t most, uint32_t *rounds)
     while (is_better && s->cost > 0) {
         uint64_t begun = s->cost, before;
         do {
-            if (most != 0 && *rounds >= most) {
+            if ((most != 0 && *rounds >= most) || is_long(s)) {
                 return clean(s);
             }
             before = s->cost;
             SF_TRY(is_light ? light_round(s) : whole_round(s));
             (*rounds)++;
         } while (pays(before, s->cost));
-        if (is_light && (most == 0 || *rounds < most)) {
+        if (is_light && (most == 0 || *rounds < most) && !is_long(s)) {
             before = s->cost;
             SF_TRY(whole_round(s));
             (*rounds)++;
@@ -306,7 +250,7 @@ static sf_status compare_in_turn(search *s, uint32_t most, uint32_t *rounds)
         return SF_OK;
     }
     // What the room has no place for is lost in either.
-    uint64_t lost = cost_of_lost(job);
+    uint64_t lost = sfi_job_cost_of_lost(job);
     if (s->cost <= lost) {
         return SF_OK;
     }
@@ -317,20 +261,19 @@ static sf_status compare_in_turn(search *s, uint32_t most, uint32_t *rounds)
     return is_done && offer(s) ? improve(s, most, rounds) : SF_OK;
 }
 
-static sf_status improve_from(search *s, uint32_t most, uint32_t *rounds)
+static void search_end(search *s, sf_grid **result, sf_repair_report *report)
 {
-    const sfi_job *job = s->job;
-    uint64_t hanging = sf_grid_popcount(job->drawn) - sf_grid_popcount(job->roots);
-    s->is_small = hanging < SMALL;
-    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->free));
-    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->roots));
-    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->resting));
-    SF_TRY(improve(s, most, rounds));
-    return compare_in_turn(s, most, rounds);
+    report->cost = s->cost;
+    sfi_price_destroy(s->job, &s->price);
+    sf_grid_destroy(s->free);
+    sf_grid_destroy(s->roots);
+    sf_grid_destroy(s->resting);
+    sf_grid_destroy(s->trial);
+    *result = s->best;
 }
 
-sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds, sf_grid **result,
-                      sf_repair_report *report)
+sf_status sfi_start(const sfi_job *job, const sf_grid *given, sf_grid **result,
+                    sf_repair_report *report)
 {
     search s = {.job = job,
                 .given = given,
@@ -350,15 +293,36 @@ sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds,
     }
     report->first_cost = s.cost;
     report->grow_cost = s.all;
-    if (status == SF_OK && rounds != SF_REPAIR_FIRST && s.cost != SF_REPAIR_NO_COST) {
-        status = improve_from(&s, rounds, &report->rounds);
-    }
-    report->cost = s.cost;
-    sfi_price_destroy(job, &s.price);
-    sf_grid_destroy(s.free);
-    sf_grid_destroy(s.roots);
-    sf_grid_destroy(s.resting);
-    sf_grid_destroy(s.trial);
-    *result = s.best;
+    search_end(&s, result, report);
     return status;
+}
+
+static sf_status rounds_from(search *s, uint32_t most, int is_in_turn, uint32_t *rounds)
+{
+    const sfi_job *job = s->job;
+    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->trial));
+    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->free));
+    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->roots));
+    SF_TRY(sf_grid_create(&job->lattice, job->allocator, &s->resting));
+    SF_TRY(improve(s, most, rounds));
+    return is_in_turn ? compare_in_turn(s, most, rounds) : SF_OK;
+}
+
+sf_status sfi_rounds(const sfi_job *job, uint32_t rounds, int is_in_turn, sf_grid **result,
+                     sf_repair_report *report)
+{
+    search s = {.job = job, .best = *result, .cost = sfi_job_bill(job, *result).cost};
+    s.is_small = sfi_job_hanging(job) < SFI_HANGING_FEW;
+    sf_status status = rounds_from(&s, rounds, is_in_turn, &report->rounds);
+    search_end(&s, result, report);
+    return status;
+}
+
+sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds, sf_grid **result,
+                      sf_repair_report *report)
+{
+    SF_TRY(sfi_start(job, given, result, report));
+    return rounds == SF_REPAIR_FIRST || report->cost == SF_REPAIR_NO_COST
+               ? SF_OK
+               : sfi_rounds(job, rounds, 1, result, report);
 }

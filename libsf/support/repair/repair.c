@@ -15,8 +15,9 @@
 // rule, which is monotone, and is never dearer than T. Afterwards the full rule has its say
 // (bridged.c).
 //
-// Under slack there is one start more, made in the same way with a rule that is an element: chains
-// of steps that use up no reach stand on whatever is alive, and branches of them can be rerouted.
+// What is tried within these sets is an attempt (attempt.c). There is one for what must stay, and
+// before it one for all that can be kept: it is what a caller gets who keeps everything, and a
+// repair is to cost no more than that.
 //
 // Working memory goes through a meter, so that a caller learns what a repair took at most.
 
@@ -25,11 +26,7 @@
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
-#include "support/repair/against_grow.h"
-#include "support/repair/bridged.h"
-#include "support/repair/improve.h"
-#include "support/repair/price_row.h"
-#include "support/repair/repair.h"
+#include "support/repair/attempt.h"
 #include "support/repair/strut.h"
 #include "support/rule/carry.h"
 #include "voxel/grid.h"
@@ -43,17 +40,9 @@ sf_repair_options sf_repair_options_default(void)
 
 // Most that a cost is multiplied by: times 255 it still is a price.
 #define SCALE_MOST 128u
-// Voxels in the air up to which a second search is made.
+// Voxels in the air up to which it is tried to keep all of them.
 #define HANGING_MOST 4000000u
-
-sf_terms sfi_job_terms(const sfi_job *job)
-{
-    sf_terms terms = sf_terms_default();
-    terms.rule = job->rule;
-    terms.bed_layer = job->bed;
-    terms.exempt = job->exempt;
-    return terms;
-}
+#define ATTEMPTS 3
 
 // ---------------------------------------------------------------------------------------------
 // The meter
@@ -91,15 +80,13 @@ typedef struct call {
     sf_grid *grid;
     const sf_repair_options *options;
     sfi_ground ground;
-    sf_terms full; // the caller's rule and exempt voxels, and the bed that it came to
+    sf_terms terms; // the caller's, with the bed that they came to
     const sf_allocator *allocator;
     sfi_pace pace;
     sf_grid *must, *room, *roots, *result;
-    int has_added;
-    sf_grid *whole, *added;                         // what only adds
-    sf_grid *plain_room, *plain_exempt;             // with bridges
-    sf_grid *careful_room, *careful_exempt, *start; // under slack
-    sf_grid *grown;                                 // what grow makes, where that is cheaper
+    sf_grid *plain_room, *plain_exempt; // with bridges
+    sfi_quest quest;
+    sfi_attempt attempts[ATTEMPTS]; // to keep all, with bridges even more; and what must stay
     sf_repair_report report;
 } call;
 
@@ -143,7 +130,7 @@ static sf_status new_grid(const call *c, sf_grid **grid)
 
 static sf_status trim_full(call *c, sf_grid *to, const sf_grid *from)
 {
-    return sfi_trim_into(to, from, &c->full, c->ground.bed, c->allocator, sfi_pace_next(&c->pace));
+    return sfi_trim_into(to, from, &c->terms, c->ground.bed, c->allocator, sfi_pace_next(&c->pace));
 }
 
 static sf_status find_sets(call *c)
@@ -181,41 +168,6 @@ static uint64_t find_culprits(const call *c, sf_grid *missing)
 // The job
 // ---------------------------------------------------------------------------------------------
 
-static sf_status find_reach(sfi_job *job)
-{
-    job->reach_x = job->reach_y = 0;
-    for (uint32_t k = 0; k + 1 < job->lattice.nz; k++) {
-        sf_element e = {0, {0}};
-        SF_TRY(sf_rule_element(&job->rule, k, &e));
-        uint32_t x = sfi_element_reach_x(&e);
-        job->reach_x = job->reach_x > x ? job->reach_x : x;
-        job->reach_y = job->reach_y > e.reach_y ? job->reach_y : e.reach_y;
-    }
-    return SF_OK;
-}
-
-// Let a job work with another rule, weaker than the full one: T counts as exempt, and the room is
-// what this leaves. Both go to grids that are made here.
-static sf_status set_aside(const call *c, sfi_job *job, sf_rule rule, sf_grid **room,
-                           sf_grid **exempt)
-{
-    const sf_grid *given = c->options->terms.exempt;
-    SF_TRY(new_grid(c, room));
-    SF_TRY(new_grid(c, exempt));
-    for (uint32_t k = 0; k < job->lattice.nz; k++) {
-        sf_slice roots = sf_grid_slice(c->roots, k), out = sf_grid_slice(*exempt, k);
-        SF_TRY(given != NULL ? sf_slice_or(out, roots, sf_grid_slice(given, k))
-                             : sf_slice_copy(out, roots));
-    }
-    job->rule = rule;
-    job->exempt = *exempt;
-    job->room = *room;
-    SF_TRY(find_reach(job));
-    sf_terms terms = sfi_job_terms(job);
-    return sfi_trim_into(*room, c->room, &terms, job->bed, job->allocator,
-                         sfi_pace_next(job->pace));
-}
-
 static sf_status make_job(call *c, sfi_job *job)
 {
     const sf_repair_options *o = c->options;
@@ -235,70 +187,12 @@ static sf_status make_job(call *c, sfi_job *job)
     uint32_t width = o->min_feature_vx;
     job->scale = width * width < SCALE_MOST ? width * width : SCALE_MOST;
     if (!sfi_bridge_any(&job->rule.bridge)) {
-        return find_reach(job);
+        return sfi_job_find_reach(job);
     }
     static const sf_bridge none = {0, 0, 0, 0, 0, 0};
     sf_rule rule = job->rule;
     rule.bridge = none;
-    return set_aside(c, job, rule, &c->plain_room, &c->plain_exempt);
-}
-
-// Under slack, a result by steps that use up none: for them there is more that improves one.
-static sf_status start_carefully(call *c, const sfi_job *job)
-{
-    sf_repair_report report = {0};
-    sfi_job careful = *job;
-    if (job->rule.kind != SF_RULE_SLACK) {
-        return SF_OK;
-    }
-    SF_TRY(set_aside(c, &careful, sfi_careful_rule(job), &c->careful_room, &c->careful_exempt));
-    SF_TRY(new_grid(c, &c->start));
-    SF_TRY(sfi_improve(&careful, NULL, c->options->rounds, &c->start, &report));
-    if (report.cost == SF_REPAIR_NO_COST) {
-        sf_grid_destroy(c->start);
-        c->start = NULL;
-    }
-    return SF_OK;
-}
-
-// What is drawn and can be had at all, into `whole`.
-static sf_status find_whole(const call *c, const sfi_job *job, sf_grid *whole)
-{
-    for (uint32_t k = 0; k < job->lattice.nz; k++) {
-        SF_TRY(sf_slice_and(sf_grid_slice(whole, k), sf_grid_slice(c->grid, k),
-                            sf_grid_slice(job->room, k)));
-    }
-    return SF_OK;
-}
-
-// No dearer than what only adds: giving up early what is dear at first leaves the rounds in a
-// valley that they do not climb out of. A second search keeps all that can be had, and where its
-// result is cheaper the rounds go on from there. Shapes with very much in the air are spared that.
-static sf_status hold_against_adding(call *c, const sfi_job *job)
-{
-    sfi_job adding = *job;
-    sf_repair_report report = {0}, again = {0};
-    uint64_t hanging = sf_grid_popcount(c->grid) - sf_grid_popcount(c->roots);
-    if (c->options->rounds == SF_REPAIR_FIRST || hanging > HANGING_MOST) {
-        return SF_OK;
-    }
-    SF_TRY(new_grid(c, &c->whole));
-    SF_TRY(new_grid(c, &c->added));
-    SF_TRY(find_whole(c, &adding, c->whole));
-    if (c->must != NULL && !sfi_grid_within(c->must, c->whole)) {
-        return SF_OK; // what must stay stands on bridges, of which this job knows nothing
-    }
-    adding.must = c->whole;
-    SF_TRY(sfi_improve(&adding, NULL, c->options->rounds, &c->added, &report));
-    c->has_added = report.cost != SF_REPAIR_NO_COST;
-    if (!c->has_added || (c->report.cost != SF_REPAIR_NO_COST &&
-                          sfi_job_bill(job, c->added).cost >= sfi_job_bill(job, c->result).cost)) {
-        return SF_OK;
-    }
-    SF_TRY(sfi_improve(job, c->added, c->options->rounds, &c->result, &again));
-    c->report.cost = again.cost;
-    c->report.rounds += report.rounds + again.rounds;
-    return SF_OK;
+    return sfi_job_set_aside(job, rule, &c->plain_room, &c->plain_exempt);
 }
 
 // Whether the result is support-free under the full rule, holds P and lies in G.
@@ -316,65 +210,91 @@ static sf_status prove(call *c)
     return status;
 }
 
-// No dearer than sf_grid_grow(), and where that was cheaper, improved from there.
-static sf_status hold_against_grow(call *c, const sfi_job *job)
+// ---------------------------------------------------------------------------------------------
+// Attempts
+// ---------------------------------------------------------------------------------------------
+
+// Try to keep all that can be kept in `room`, where that is more than what must stay.
+static sf_status attempt_adding(call *c, const sf_grid *room, sfi_attempt *adding)
 {
-    sf_terms terms = c->options->terms;
-    sf_repair_report again = {0};
-    int has_bridges = sfi_bridge_any(&terms.rule.bridge);
-    terms.bed_layer = c->ground.bed;
-    uint64_t cost = sfi_job_bill(job, c->result).cost;
-    SF_TRY(sfi_grow_if_cheaper(job, &terms, c->room, cost, &c->grown));
-    if (c->grown == NULL) {
-        return SF_OK;
+    const sfi_attempt no_attempt = {.plain_cost = SF_REPAIR_NO_COST};
+    sf_grid *whole = NULL;
+    SF_TRY(new_grid(c, &whole));
+    sf_status status = SF_OK;
+    for (uint32_t k = 0; status == SF_OK && k < c->ground.lattice.nz; k++) {
+        status = sf_slice_and(sf_grid_slice(whole, k), sf_grid_slice(c->grid, k),
+                              sf_grid_slice(room, k));
     }
-    if (has_bridges) {
-        SF_TRY(sfi_grid_copy(c->result, c->grown));
-        c->report.cost = cost; // there is a result now, if there was none
-        return sfi_bridged_improve(job, &c->full, c->room, c->result, &c->report);
+    // What must stay may stand on bridges, of which the room knows nothing.
+    int is_more =
+        c->must == NULL || (sfi_grid_within(c->must, whole) && !sfi_grid_within(whole, c->must));
+    if (status == SF_OK && is_more) {
+        status = sfi_attempt_make(&c->quest, whole, &no_attempt, adding);
     }
-    SF_TRY(sfi_improve(job, c->grown, c->options->rounds, &c->result, &again));
-    c->report.rounds += again.rounds;
+    sf_grid_destroy(whole);
+    return status;
+}
+
+// No dearer than what only adds: giving up early what is dear at first leaves the rounds in a
+// valley that they do not climb out of. So all is tried for that too, to the end, and the call
+// would have come to the same with `keep` the whole shape. With bridges what can be kept by them
+// may be more. Shapes with very much in the air are spared that.
+static sf_status attempt_all(call *c, const sfi_job *job)
+{
+    uint64_t hanging = sfi_job_hanging(job);
+    if (c->options->rounds != SF_REPAIR_FIRST && hanging > 0 && hanging <= HANGING_MOST) {
+        SF_TRY(attempt_adding(c, job->room, &c->attempts[0]));
+        if (job->room != c->room && !sf_grid_equal(job->room, c->room)) {
+            SF_TRY(attempt_adding(c, c->room, &c->attempts[1]));
+        }
+    }
+    sfi_attempt *last = &c->attempts[2];
+    SF_TRY(sfi_attempt_make(&c->quest, c->must, &c->attempts[0], last));
+    for (int i = 0; i < 2; i++) {
+        last->report.rounds += c->attempts[i].report.rounds;
+    }
+    c->report = last->report;
     return SF_OK;
 }
 
-// The same once more when all has been widened: struts are dear, and giving up looks cheap then.
-static sf_status hold_against_wide_adding(call *c, const sfi_job *job)
+// The result of each attempt on struts, where they are asked for, and the cheapest of all.
+static sf_status choose(call *c, const sfi_job *job)
 {
-    sf_repair_report report = {0};
-    if (!c->has_added) {
-        return SF_OK;
+    uint64_t least = SF_REPAIR_NO_COST;
+    uint32_t width = c->options->min_feature_vx;
+    for (int i = ATTEMPTS; i-- > 0;) {
+        sf_grid *result = sfi_attempt_result(&c->attempts[i]);
+        sf_repair_report report = c->report;
+        if (result == NULL) {
+            continue;
+        }
+        if (width > 1) {
+            SF_TRY(sfi_strut_widen(job, &c->terms, width, result,
+                                   i == ATTEMPTS - 1 ? &c->report : &report));
+        }
+        uint64_t cost = sfi_job_bill(job, result).cost;
+        if (cost < least) {
+            least = cost;
+            SF_TRY(sfi_grid_copy(c->result, result));
+        }
     }
-    SF_TRY(sfi_strut_widen(job, &c->full, c->options->min_feature_vx, c->added, &report));
-    uint64_t cost = sfi_job_bill(job, c->added).cost;
-    if (cost >= sfi_job_bill(job, c->result).cost) {
-        return SF_OK;
-    }
-    c->report.cost = cost;
-    return sfi_grid_copy(c->result, c->added);
+    return SF_OK;
 }
 
 static sf_status work(call *c)
 {
     sfi_job job;
-    const sf_repair_options *o = c->options;
-    int has_bridges = sfi_bridge_any(&o->terms.rule.bridge);
-    uint32_t width = o->min_feature_vx;
     SF_TRY(make_job(c, &job));
-    SF_TRY(start_carefully(c, &job));
-    SF_TRY(sfi_improve(&job, c->start, o->rounds, &c->result, &c->report));
-    SF_TRY(hold_against_adding(c, &job));
+    c->quest = (sfi_quest){.job = &job,
+                           .terms = &c->terms,
+                           .room = c->room,
+                           .rounds = c->options->rounds,
+                           .is_grow_asked = c->options->min_feature_vx == 1};
+    sf_status status = attempt_all(c, &job);
     job.scale = 1;
-    if (has_bridges && (o->rounds != SF_REPAIR_FIRST || c->report.cost == SF_REPAIR_NO_COST)) {
-        SF_TRY(sfi_bridged_improve(&job, &c->full, c->room, c->result, &c->report));
-    }
-    if (width > 1) {
-        SF_TRY(sfi_strut_widen(&job, &c->full, width, c->result, &c->report));
-        SF_TRY(hold_against_wide_adding(c, &job));
-    } else if (o->rounds != SF_REPAIR_FIRST) {
-        SF_TRY(hold_against_grow(c, &job));
-    }
-    return prove(c);
+    status = status == SF_OK ? choose(c, &job) : status;
+    sfi_quest_destroy(&c->quest);
+    return status == SF_OK ? prove(c) : status;
 }
 
 // Everything up to the first write.
@@ -413,12 +333,9 @@ static void call_destroy(call *c)
     sf_grid_destroy(c->result);
     sf_grid_destroy(c->plain_room);
     sf_grid_destroy(c->plain_exempt);
-    sf_grid_destroy(c->careful_room);
-    sf_grid_destroy(c->careful_exempt);
-    sf_grid_destroy(c->start);
-    sf_grid_destroy(c->grown);
-    sf_grid_destroy(c->whole);
-    sf_grid_destroy(c->added);
+    for (int i = 0; i < ATTEMPTS; i++) {
+        sfi_attempt_destroy(&c->attempts[i]);
+    }
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -471,9 +388,11 @@ sf_status sf_grid_repair(sf_grid *grid, const sf_repair_options *options,
     call c = {.grid = grid, .options = options, .allocator = &metered};
     sfi_pace_begin(&c.pace, task);
     SF_TRY(check_arguments(grid, options, culprits, &c.ground));
-    c.full = sf_terms_default();
-    c.full.rule = options->terms.rule;
-    c.full.exempt = options->terms.exempt;
+    c.terms = options->terms;
+    c.terms.bed_layer = c.ground.bed;
+    for (int i = 0; i < ATTEMPTS; i++) {
+        c.attempts[i].plain_cost = SF_REPAIR_NO_COST;
+    }
     sf_status status = solve(&c, culprits);
     if (status == SF_OK) {
         finish(&c);

@@ -38,12 +38,27 @@ static inline const sf_grid *sfi_job_settled(const sfi_job *job)
 // Terms that a trim under the job's rule takes.
 sf_terms sfi_job_terms(const sfi_job *job);
 
+// Fill the reach.
+sf_status sfi_job_find_reach(sfi_job *job);
+
+// Let a job work with another rule that lets less stand: the roots count as exempt, and the room is
+// what this leaves. Both go to grids that are made here, also by a call that fails.
+sf_status sfi_job_set_aside(sfi_job *job, sf_rule rule, sf_grid **room, sf_grid **exempt);
+
 // What a result costs: the additions and the removals, and their sum at their prices.
 typedef struct sfi_bill {
     uint64_t added, removed, cost;
 } sfi_bill;
 
 sfi_bill sfi_job_bill(const sfi_job *job, const sf_grid *result);
+
+// What giving up costs that the room has no place for, whatever is done.
+uint64_t sfi_job_cost_of_lost(const sfi_job *job);
+
+// Drawn voxels that do not stand by themselves; and how many of them are few, so that slow searches
+// are made too.
+uint64_t sfi_job_hanging(const sfi_job *job);
+#define SFI_HANGING_FEW 1000000u
 
 // What it costs to add a voxel, or to remove it.
 static inline uint32_t sfi_job_cost(const sfi_job *job, const uint8_t *costs, uint32_t k,
@@ -87,7 +102,7 @@ typedef struct sfi_price {
     size_t count, capacity; // prices in use, and room for them
     int16_t *prices;
     uint8_t *codes, *root_codes; // of what is priced, and of the roots by themselves; or NULL
-    const sf_grid *rooted;       // the roots that root_codes are of, if they are; they do not change
+    const sf_grid *rooted; // the roots that root_codes are of, if they are; they do not change
 } sfi_price;
 
 // Make a map, in the memory of an earlier one of this job or from all zero. SF_ERR_MEMORY,
@@ -161,6 +176,7 @@ typedef struct sfi_forest {
     int prefer_drawn; // take a drawn supporter among those of one price
     uint64_t all;
     int is_feasible;
+    uint64_t nodes; // that it had
 } sfi_forest;
 
 sf_status sfi_forest_grow(const sfi_job *job, const sfi_price *price, sfi_forest *forest,
@@ -178,7 +194,8 @@ sf_status sfi_grow_in_turn(const sfi_job *job, const sfi_price *price, uint64_t 
 sf_status sfi_cleanup(const sfi_job *job, sf_grid *result);
 
 // Where the rule is an element: replace branches of additions by cheaper ones (reroute.c), once
-// from the top down. Never costs more; the result stays support-free.
+// from the top down, or as far as that goes in bounded time. Never costs more; the result stays
+// support-free.
 sf_status sfi_reroute(const sfi_job *job, sf_grid *result);
 
 #endif

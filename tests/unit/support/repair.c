@@ -161,6 +161,35 @@ static void costs_far_less_than_a_plain_grow(void)
     CHECK(ours * 6 <= theirs * 5);
 }
 
+// A repair that may give up has all the choices of one that may not. With a least width the other
+// may be cheaper under slack: where no struts carry what must stay, its hairs remain.
+static void costs_no_more_than_one_that_only_adds(void)
+{
+    int compared = 0, equal = 0;
+    for (int i = 0; i < 5000 && test_case_failures == 0; i++) {
+        sf_repair_report plain = {0}, adding = {0};
+        random_job(&j, i, i % 10 == 0 ? 11 : 7);
+        j.rounds = i % 7 == 0;
+        j.width = i % 6 == 0 && j.rule.kind != SF_RULE_SLACK ? 2 : 1;
+        sf_status status = job_repair(&j, &result, NULL, &plain);
+        j.is_on[MASK_KEEP] = 1;
+        j.masks[MASK_KEEP] = j.shape;
+        if (job_repair(&j, &again, NULL, &adding) != SF_OK) {
+            continue;
+        }
+        CHECK_EQ(status, SF_OK);
+        CHECK(stack_within(&j.shape, &again));
+        CHECK(plain.cost <= adding.cost);
+        if (test_case_failures > 0) {
+            printf("# job %d, rule %s, width %u\n", i, sf_rule_kind_name(j.rule.kind), j.width);
+        }
+        compared++;
+        equal += plain.cost == adding.cost;
+    }
+    printf("# %d compared, %d at one cost\n", compared, equal);
+    CHECK(compared > 2000);
+}
+
 static void leaves_a_repaired_shape_alone(void)
 {
     for (int i = 0; i < 2000 && test_case_failures == 0; i++) {
@@ -212,6 +241,7 @@ int main(void)
     TEST(keeps_them_with_struts);
     TEST(keeps_them_at_the_first_result);
     TEST(costs_far_less_than_a_plain_grow);
+    TEST(costs_no_more_than_one_that_only_adds);
     TEST(leaves_a_repaired_shape_alone);
     return test_finish();
 }

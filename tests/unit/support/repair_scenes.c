@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Why: on shapes of some size a repair must be worth its name: five balls in the air over a plate,
-// at a small part of what a trim loses and of what a grow of paths adds. And where a least width is
-// asked for and there is room, everything that is added has it.
+// at a small part of what a trim loses and of what a grow of paths adds. A slab high above the bed
+// is the other end: all of it hangs, and there is much to share. And where a least width is asked
+// for and there is room, everything that is added has it.
 
 #include "law/stack.h"
 
@@ -66,6 +67,15 @@ static sf_grid *volume_grid(const volume *v)
         }
     }
     return grid;
+}
+
+static void slab(int z)
+{
+    memset(&scene, 0, sizeof scene);
+    for (int i = 0; i < 4 * NX * NX; i++) {
+        int x = i % NX, y = i / NX % NX;
+        *at(&scene, x, y, z + i / (NX * NX)) = x >= 2 && y >= 2 && x < NX - 2 && y < NX - 2;
+    }
 }
 
 static void repair(sf_repair_options *o, sf_repair_report *r)
@@ -152,6 +162,7 @@ static uint64_t grow_by_paths(int in_turn)
 static uint64_t grow_by_library(void)
 {
     sf_terms terms = sf_terms_default();
+    terms.bed_layer = 0;
     sf_grow_report report = {0, 0, 0};
     sf_grid *grid = volume_grid(&scene);
     CHECK_EQ(sf_grid_grow(grid, &terms, NULL, NULL, NULL, &report), SF_OK);
@@ -178,6 +189,26 @@ static void repairs_five_balls_at_a_small_part_of_either_cost(void)
     CHECK(r.cost * 100 <= alone * 30);
     CHECK(r.cost * 100 <= in_turn * 60);
     CHECK(r.cost * 100 <= library * 60);
+}
+
+static void repairs_a_slab_at_no_more_than_either_cost(void)
+{
+    static const int heights[3] = {4, 24, NZ - 4};
+    for (int i = 0; i < 3; i++) {
+        sf_repair_options o = sf_repair_options_default();
+        sf_repair_report r;
+        o.terms.bed_layer = 0;
+        slab(heights[i]);
+        repair(&o, &r);
+        CHECK(is_support_free(&result));
+        uint64_t library = grow_by_library();
+        printf("# slab at %d: trim %llu, sf_grid_grow() %llu, first %llu, repair %llu\n",
+               heights[i], (unsigned long long)r.trim_cost, (unsigned long long)library,
+               (unsigned long long)r.first_cost, (unsigned long long)r.cost);
+        CHECK_EQ(r.trim_cost, 4 * (NX - 4) * (NX - 4));
+        CHECK(r.cost <= library);
+        CHECK(r.cost * 6 <= r.trim_cost);
+    }
 }
 
 // Whether (x, y) lies in a square of w voxels of a layer that is solid.
@@ -234,6 +265,7 @@ static void gives_the_same_bytes_for_every_instruction_set(void)
 int main(void)
 {
     TEST(repairs_five_balls_at_a_small_part_of_either_cost);
+    TEST(repairs_a_slab_at_no_more_than_either_cost);
     TEST(makes_struts_as_wide_as_asked);
     TEST(gives_the_same_bytes_for_every_instruction_set);
     return test_finish();
