@@ -115,6 +115,15 @@ static void keeps_them_on_larger_jobs(void)
     }
 }
 
+static void keeps_them_on_rows_of_several_words(void)
+{
+    for (int i = 0; i < 900 && test_case_failures == 0; i++) {
+        random_wide_job(&j, i);
+        j.width = i % 5 == 0 ? 2 : 1;
+        check_job(i);
+    }
+}
+
 static void keeps_them_with_struts(void)
 {
     for (int i = 0; i < 2000 && test_case_failures == 0; i++) {
@@ -168,7 +177,11 @@ static void costs_no_more_than_one_that_only_adds(void)
     int compared = 0, equal = 0;
     for (int i = 0; i < 5000 && test_case_failures == 0; i++) {
         sf_repair_report plain = {0}, adding = {0};
-        random_job(&j, i, i % 10 == 0 ? 11 : 7);
+        if (i % 10 == 0) {
+            random_wide_job(&j, i);
+        } else {
+            random_job(&j, i, i % 10 == 5 ? 11 : 7);
+        }
         j.rounds = i % 7 == 0;
         j.width = i % 6 == 0 && j.rule.kind != SF_RULE_SLACK ? 2 : 1;
         sf_status status = job_repair(&j, &result, NULL, &plain);
@@ -238,6 +251,7 @@ int main(void)
     TEST(knows_the_cost_of_hand_made_shapes);
     TEST(keeps_its_promises_on_random_jobs);
     TEST(keeps_them_on_larger_jobs);
+    TEST(keeps_them_on_rows_of_several_words);
     TEST(keeps_them_with_struts);
     TEST(keeps_them_at_the_first_result);
     TEST(costs_far_less_than_a_plain_grow);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The oracle of repairs: trim under any rule, slack, bridges and exempt voxels included, voxel by
-// voxel from the sentences of <sf/rule.h>; and random jobs for all of it.
+// voxel from the sentences of <sf/rule.h>; and random jobs for all of it. The library does them in
+// memory that is full of 0xdb when it comes.
 
 #ifndef SF_TEST_REPAIR_ORACLE_H
 #define SF_TEST_REPAIR_ORACLE_H
 
+#include "failing_allocator.h"
 #include "law/stack.h"
 
 #include <sf/repair.h>
@@ -195,12 +197,8 @@ static inline sf_rule random_rule(int number)
     return rule;
 }
 
-static inline void random_job(job *j, int number, int extent)
+static inline void random_job_of(job *j, int number, const int n[3])
 {
-    int n[3];
-    for (int i = 0; i < 3; i++) {
-        n[i] = 1 + (int)test_random_below((uint32_t)extent);
-    }
     if (number % 3 == 0) {
         stack_random_boxes(&j->shape, n[0], n[1], n[2], 3);
     } else {
@@ -222,6 +220,23 @@ static inline void random_job(job *j, int number, int extent)
     }
     j->width = 1;
     j->rounds = 0;
+}
+
+static inline void random_job(job *j, int number, int extent)
+{
+    int n[3];
+    for (int i = 0; i < 3; i++) {
+        n[i] = 1 + (int)test_random_below((uint32_t)extent);
+    }
+    random_job_of(j, number, n);
+}
+
+// Rows of a word and more: 61 to 130 voxels.
+static inline void random_wide_job(job *j, int number)
+{
+    int n[3] = {61 + (int)test_random_below(70), 1 + (int)test_random_below(3),
+                2 + (int)test_random_below(5)};
+    random_job_of(j, number, n);
 }
 
 static inline const uint8_t *job_costs(const job *j, const uint8_t *costs)
@@ -254,6 +269,7 @@ static inline sf_status job_repair(const job *j, stack *result, stack *culprits,
                                    sf_repair_report *report)
 {
     sf_repair_options o = sf_repair_options_default();
+    failing_allocator memory;
     sf_grid *grid = stack_grid(&j->shape), *masks[MASK_COUNT] = {NULL},
             *out = stack_grid(&j->shape);
     for (int m = 0; m < MASK_COUNT; m++) {
@@ -269,7 +285,10 @@ static inline sf_status job_repair(const job *j, stack *result, stack *culprits,
     o.remove_cost = job_costs(j, j->remove);
     o.min_feature_vx = j->width;
     o.rounds = j->rounds;
-    sf_status status = sf_grid_repair(grid, &o, NULL, NULL, out, report);
+    failing_begin(&memory, -1);
+    sf_status status = sf_grid_repair(grid, &o, &memory.allocator, NULL, out, report);
+    CHECK_EQ(memory.live, 0);
+    CHECK_EQ(memory.faults, 0);
     if (result != NULL) {
         stack_read(result, grid);
     }
