@@ -90,6 +90,18 @@ sf_grid *scene_four_balls(uint32_t n)
     return grid;
 }
 
+sf_grid *scene_slab(uint32_t n, uint32_t nz, uint32_t z, uint32_t margin)
+{
+    sf_lattice lattice = {n, n, nz, 1.0, 1.0, 1.0, NULL, {0, 0, 0}};
+    sf_rect slab = {margin, margin, n - margin, n - margin};
+    sf_grid *grid = NULL;
+    bench_must(sf_grid_create(&lattice, NULL, &grid));
+    for (uint32_t k = z; k < z + 4; k++) {
+        bench_must(sf_slice_fill(sf_grid_slice(grid, k), slab, 1));
+    }
+    return grid;
+}
+
 sf_grid *scene_balls(uint32_t n)
 {
     return scene_of_balls(n, 60);

@@ -16,6 +16,10 @@ void scene_add_ball(sf_grid *grid, double x, double y, double z, double radius);
 // n^3 voxels, 23 M of 512^3 solid: four balls over a plate, three of them in the air.
 sf_grid *scene_four_balls(uint32_t n);
 
+// A slab of four layers from layer z on, `margin` voxels from the sides of an empty n x n x nz
+// grid.
+sf_grid *scene_slab(uint32_t n, uint32_t nz, uint32_t z, uint32_t margin);
+
 // The first twelve of the balls: most of the grid is empty, and far from anything.
 sf_grid *scene_far_balls(uint32_t n);
 
