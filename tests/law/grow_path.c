@@ -155,9 +155,9 @@ static void elements_on_small_grids(void)
 static void windows_across_words(void)
 {
     static path_case c;
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < 40; i++) {
         path_random_case(&c, i, 140, 3, 12);
-        c.rule = random_rule(i);
+        c.rule = i % 2 == 0 ? random_rule(i / 2) : rule_of_angle(SF_RULE_SLACK, 20.0 + i);
         check_case(&c, 150);
     }
 }

@@ -78,9 +78,10 @@ typedef struct sf_path_finder sf_path_finder;
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such landing, terms without their
  * struct_size, a bed layer that the grid has not, a rule that does not serve all its layers;
  * SF_ERR_SHAPE: a mask of other counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
- * @cost a search for the bed. Where the finder keeps what is alive, a trim, and under slack a byte
- * for each voxel; on layers of one height also some ten bytes for each layer and row of the grid,
- * until a cone fills its slices: 2 MB at 512^3.
+ * @cost a search for the bed. Where the finder keeps what is alive, a trim, and a bit for each
+ * voxel; under slack another bit, and a byte for each voxel that lives with less than all reach to
+ * spare; on layers of one height also some ten bytes for each layer and row of the grid, until a
+ * cone fills its slices. At 512^3 and 45 degrees that is 40 MB.
  * @threads any; the grids are only read.
  * @since 0.2
  */

@@ -180,7 +180,7 @@ static sf_status find_possible(sfi_growth *g)
     }
     SF_TRY(sfi_codes_create(&g->site, &g->spare));
     add_all_free(g);
-    sfi_field field = {g->possible, g->own, g->spare};
+    sfi_field field = {g->possible, g->own, g->spare, NULL};
     SF_TRY(fill_field(g, &field, g->result));
     return is_any_impossible(g) ? SF_ERR_INFEASIBLE : SF_OK;
 }
@@ -294,7 +294,7 @@ static sf_status grow(sfi_growth *g)
     sf_grid *check = g->alive;
     if (has_field) {
         SF_TRY(sfi_codes_create(&g->site, &g->codes));
-        sfi_field field = {g->alive, NULL, g->codes};
+        sfi_field field = {g->alive, NULL, g->codes, NULL};
         SF_TRY(fill_field(g, &field, g->site.grid));
     } else {
         g->alive = NULL; // the bits of the shape tell; its memory is for the check
@@ -304,7 +304,7 @@ static sf_status grow(sfi_growth *g)
     status = status == SF_OK ? run_all(g) : status;
     g->alive = check;
     SF_TRY(status);
-    sfi_field field = {g->alive, NULL, g->codes};
+    sfi_field field = {g->alive, NULL, g->codes, NULL};
     SF_TRY(fill_field(g, &field, g->result));
     return sf_grid_equal(g->alive, g->result) ? SF_OK : SF_ERR_INTERNAL;
 }

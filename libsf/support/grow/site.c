@@ -36,28 +36,57 @@ static sf_status fill_layer(const sfi_carrier *carrier, const sfi_front *below, 
     return own.words != NULL ? sf_slice_copy(own, front.alive) : SF_OK;
 }
 
+// The codes of layer k: in the field, or of two layers by turns on their way into a reserve.
+static uint8_t *codes_of(const sfi_field *field, uint8_t *turns, size_t bytes, uint32_t k)
+{
+    return field->codes != NULL ? field->codes + k * bytes
+           : turns != NULL      ? turns + k % 2 * bytes
+                                : NULL;
+}
+
+static sf_status fill_layers(const sfi_field *field, const sf_grid *solid, const sf_terms *terms,
+                             uint32_t bed, const sfi_carrier *carrier, uint8_t *turns,
+                             const sfi_stage *stage)
+{
+    sf_lattice lattice = sf_grid_lattice(solid);
+    size_t bytes = sfi_slack_stride(lattice.nx) * lattice.ny;
+    sfi_front below = {SFI_NO_SLICE, NULL};
+    for (uint32_t k = 0; k < lattice.nz; k++) {
+        if (sf_task_is_cancelled(stage->task)) {
+            return SF_ERR_CANCELLED;
+        }
+        sfi_front front = {sf_grid_slice(field->alive, k), codes_of(field, turns, bytes, k)};
+        SF_TRY(fill_layer(carrier, &below, sf_grid_slice(solid, k),
+                          sfi_mask_slice(terms->exempt, k), k, bed, front,
+                          sfi_mask_slice(field->own, k)));
+        if (turns != NULL) {
+            SF_TRY(sfi_reserve_add(field->reserve, k, &front));
+        }
+        below = front;
+        sfi_progress_report(stage->progress, stage->done + k + 1, stage->total);
+    }
+    return SF_OK;
+}
+
 sf_status sfi_field_fill(const sfi_field *field, const sf_grid *solid, const sf_terms *terms,
                          uint32_t bed, const sf_allocator *allocator, const sfi_stage *stage)
 {
     sf_lattice lattice = sf_grid_lattice(solid);
-    size_t bytes = sfi_slack_stride(lattice.nx) * lattice.ny;
-    sfi_carrier carrier = {0};
-    sfi_front below = {SFI_NO_SLICE, NULL};
-    sf_status status =
-        sfi_carrier_create(&terms->rule, lattice.nx, lattice.ny, allocator, &carrier);
-    for (uint32_t k = 0; status == SF_OK && k < lattice.nz; k++) {
-        if (sf_task_is_cancelled(stage->task)) {
-            status = SF_ERR_CANCELLED;
-            break;
-        }
-        sfi_front front = {sf_grid_slice(field->alive, k),
-                           field->codes != NULL ? field->codes + k * bytes : NULL};
-        status =
-            fill_layer(&carrier, &below, sf_grid_slice(solid, k), sfi_mask_slice(terms->exempt, k),
-                       k, bed, front, sfi_mask_slice(field->own, k));
-        below = front;
-        sfi_progress_report(stage->progress, stage->done + k + 1, stage->total);
+    sf_allocator from = sfi_allocator_or_default(allocator);
+    size_t bytes = 0;
+    uint8_t *turns = NULL;
+    sfi_carrier carrier;
+    if (field->reserve != NULL && !sfi_size_mul(sfi_slack_stride(lattice.nx), lattice.ny, &bytes)) {
+        return SF_ERR_OVERFLOW;
     }
+    SF_TRY(sfi_carrier_create(&terms->rule, lattice.nx, lattice.ny, allocator, &carrier));
+    if (field->reserve != NULL) {
+        turns = sfi_alloc_array(&from, bytes, 2);
+    }
+    sf_status status = field->reserve != NULL && turns == NULL
+                           ? SF_ERR_MEMORY
+                           : fill_layers(field, solid, terms, bed, &carrier, turns, stage);
+    sfi_free_array(&from, turns, bytes, 2);
     sfi_carrier_destroy(&carrier, allocator);
     return status;
 }
@@ -66,55 +95,52 @@ sf_status sfi_field_fill(const sfi_field *field, const sf_grid *solid, const sf_
 // Site
 // ---------------------------------------------------------------------------------------------
 
-static void drop_field(sfi_site *site, sf_grid *alive, uint8_t *codes)
-{
-    sf_grid_destroy(alive);
-    sfi_codes_destroy(site, codes);
-}
-
 void sfi_site_close(sfi_site *site)
 {
-    drop_field(site, site->alive, site->codes);
+    static const sfi_reserve none;
+    sf_grid_destroy(site->alive);
+    sfi_reserve_destroy(&site->reserve);
     site->alive = NULL;
-    site->codes = NULL;
+    site->reserve = none;
 }
 
-// Memory for what the site has to keep, if anything.
-static sf_status create_field(const sfi_site *site, sf_grid **alive, uint8_t **codes)
+// Memory for what the site has to keep, if anything, and fill it.
+static sf_status make_field(const sfi_site *site, uint32_t bed, const sfi_stage *stage,
+                            sf_grid **alive, sfi_reserve *reserve)
 {
-    *alive = NULL;
-    *codes = NULL;
-    if (site->plain.kind != SF_RULE_SLACK && site->landing == SF_LANDING_ANY) {
+    int has_slack = site->plain.kind == SF_RULE_SLACK;
+    if (!has_slack && site->landing == SF_LANDING_ANY) {
         return SF_OK;
     }
     SF_TRY(sf_grid_create(&site->lattice, &site->allocator, alive));
-    return sfi_codes_create(site, codes);
+    if (has_slack) {
+        SF_TRY(sfi_reserve_create(&site->plain, &site->lattice, &site->allocator, reserve));
+    }
+    sfi_field field = {*alive, NULL, NULL, has_slack ? reserve : NULL};
+    return sfi_field_fill(&field, site->grid, &site->terms, bed, &site->allocator, stage);
 }
 
 sf_status sfi_site_refresh(sfi_site *site, const sfi_stage *stage)
 {
-    sf_grid *alive;
-    uint8_t *codes;
     sfi_ground ground;
     if (sf_task_is_cancelled(stage->task)) {
         return SF_ERR_CANCELLED;
     }
     SF_TRY(sfi_terms_check(&site->terms, site->grid, &ground));
     uint32_t bed = ground.bed < ground.lattice.nz ? ground.bed : 0;
-    sf_status status = create_field(site, &alive, &codes);
-    if (status == SF_OK && alive != NULL) {
-        sfi_field field = {alive, NULL, codes};
-        status = sfi_field_fill(&field, site->grid, &site->terms, bed, &site->allocator, stage);
-    }
+    sfi_site fresh = *site;
+    static const sfi_reserve none;
+    fresh.alive = NULL;
+    fresh.reserve = none;
+    sf_status status = make_field(site, bed, stage, &fresh.alive, &fresh.reserve);
     if (status != SF_OK) {
-        drop_field(site, alive, codes);
+        sfi_site_close(&fresh);
         return status;
     }
     sfi_site_close(site);
-    site->alive = alive;
-    site->codes = codes;
+    *site = fresh;
     site->bed = bed;
-    site->roots = site->landing == SF_LANDING_ALIVE ? alive : site->grid;
+    site->roots = site->landing == SF_LANDING_ALIVE ? site->alive : site->grid;
     return SF_OK;
 }
 
@@ -185,8 +211,7 @@ uint32_t sfi_site_slack(const sfi_site *site, sf_voxel v)
     if (!sf_slice_get(sf_grid_slice(site->alive, v.z), v.x, v.y)) {
         return 0;
     }
-    size_t row = (size_t)v.y * sfi_slack_stride(site->lattice.nx);
-    return site->codes[v.z * site->code_bytes + row + v.x] - 1u;
+    return sfi_reserve_slack(&site->reserve, v);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <sf/grow.h>
 
 #include "base/task.h"
+#include "support/grow/reserve.h"
 #include "support/rule/carry.h"
 #include "support/rule/terms.h"
 #include "voxel/slice.h"
@@ -20,8 +21,8 @@ typedef struct sfi_site {
     const sf_grid *grid;
     const sf_grid *roots; // matter that a path may land on: grid, or alive
     sf_grid *alive;       // what is alive under the whole rule; NULL where nobody asks
-    uint8_t *codes;       // slack: the code of each voxel of `alive`, layer after layer; or NULL
-    size_t code_bytes;    // of one layer; 0 where that is more than a size_t holds
+    sfi_reserve reserve;  // under slack what `alive` has to spare
+    size_t code_bytes;    // of the codes of one layer; 0 where that is more than a size_t holds
     sf_allocator allocator;
 } sfi_site;
 
@@ -50,10 +51,12 @@ void sfi_codes_destroy(const sfi_site *site, uint8_t *codes);
 sf_status sfi_site_refresh(sfi_site *site, const sfi_stage *stage);
 
 // Where a field goes: what is alive, what of it without bridges, and codes; each but the first may
-// be NULL. Codes are layer after layer, sfi_slack_stride(nx) * ny bytes each.
+// be NULL. Codes are layer after layer, sfi_slack_stride(nx) * ny bytes each; under slack they go
+// there, or into an empty reserve.
 typedef struct sfi_field {
     sf_grid *alive, *own;
     uint8_t *codes;
+    sfi_reserve *reserve;
 } sfi_field;
 
 // Fill a field of `solid` under the terms' rule and with their exempt voxels, in all layers. A
