@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Weights at points: between the corners of a cell they are interpolated along x, y and z in turn.
 //
-// Interpolation keeps what holds at the corners: weights lie in [0, 1], sum to 1, and are 1 in the
-// whole cell of a handle. Outside the domain a point has the weights of the closest one in it, so
-// that they do not change along the axes on which the point was moved.
+// Interpolation keeps what holds at the corners: weights lie in [0, 1], sum to 1, and are exactly 1
+// in the whole cell of a handle. Outside the domain a point has the weights of the closest one in
+// it, so that they do not change along the axes on which the point was moved.
 
 #include "balance/weights.h"
 
@@ -25,52 +25,42 @@ const double *sf_weights_centers(const sf_weights *weights)
     return weights != NULL ? weights->centers : NULL;
 }
 
-// Shares of the eight corners, and with `slope` their derivatives along each axis.
-static void share_corners(const sfi_domain *d, const sfi_spot *spot, double share[8],
-                          double (*slope)[8])
+// Along one axis; exact where both are the same.
+static inline double between(double low, double high, double part)
 {
-    double up[3], down[3], edge[3];
-    for (int axis = 0; axis < 3; axis++) {
-        const double *plane = d->planes[axis] + d->place[3 * (size_t)spot->cell + (size_t)axis];
-        edge[axis] = plane[1] - plane[0];
-        up[axis] = (spot->at[axis] - plane[0]) / edge[axis];
-        down[axis] = 1 - up[axis];
-    }
-    for (int c = 0; c < 8; c++) {
-        double x = (c & 1) != 0 ? up[0] : down[0], y = (c & 2) != 0 ? up[1] : down[1],
-               z = (c & 4) != 0 ? up[2] : down[2];
-        share[c] = x * y * z;
-        if (slope != NULL) {
-            slope[0][c] = spot->moved[0] ? 0 : ((c & 1) != 0 ? y * z : -y * z) / edge[0];
-            slope[1][c] = spot->moved[1] ? 0 : ((c & 2) != 0 ? x * z : -x * z) / edge[1];
-            slope[2][c] = spot->moved[2] ? 0 : ((c & 4) != 0 ? x * y : -x * y) / edge[2];
-        }
-    }
+    return low + part * (high - low);
 }
 
 void sfi_weights_at(const sf_weights *weights, const sfi_spot *spot, double *w, double *gradient)
 {
-    double share[8], slope[3][8];
+    const sfi_domain *d = &weights->domain;
     const double *corner[8];
-    share_corners(&weights->domain, spot, share, gradient != NULL ? slope : NULL);
+    double part[3], slope[3];
+    for (size_t axis = 0; axis < 3; axis++) {
+        const double *plane = d->planes[axis] + d->place[3 * (size_t)spot->cell + axis];
+        double edge = plane[1] - plane[0];
+        part[axis] = (spot->at[axis] - plane[0]) / edge;
+        slope[axis] = spot->moved[axis] ? 0 : 1 / edge;
+    }
     for (size_t c = 0; c < 8; c++) {
-        corner[c] =
-            weights->values + weights->count * weights->domain.corners[8 * (size_t)spot->cell + c];
+        corner[c] = weights->values + weights->count * d->corners[8 * (size_t)spot->cell + c];
     }
     for (size_t j = 0; j < weights->count; j++) {
-        double low = 0, high = 0;
-        for (size_t c = 0; c < 4; c++) {
-            low += share[c] * corner[c][j];
-            high += share[4 + c] * corner[4 + c][j];
+        double x[4], rise[4];
+        for (size_t row = 0; row < 4; row++) {
+            double low = corner[2 * row][j], high = corner[2 * row + 1][j];
+            x[row] = between(low, high, part[0]);
+            rise[row] = high - low;
         }
-        w[j] = low + high;
-        for (size_t axis = 0; gradient != NULL && axis < 3; axis++) {
-            low = high = 0;
-            for (size_t c = 0; c < 4; c++) {
-                low += slope[axis][c] * corner[c][j];
-                high += slope[axis][4 + c] * corner[4 + c][j];
-            }
-            gradient[3 * j + axis] = low + high;
+        double y[2] = {between(x[0], x[1], part[1]), between(x[2], x[3], part[1])};
+        double z = between(y[0], y[1], part[2]);
+        w[j] = z < 0 ? 0 : z > 1 ? 1 : z;
+        if (gradient != NULL) {
+            double *g = gradient + 3 * j;
+            g[0] = slope[0] * between(between(rise[0], rise[1], part[1]),
+                                      between(rise[2], rise[3], part[1]), part[2]);
+            g[1] = slope[1] * between(x[1] - x[0], x[3] - x[2], part[2]);
+            g[2] = slope[2] * (y[1] - y[0]);
         }
     }
 }
