@@ -42,5 +42,6 @@ void bench_repair(void);
 void bench_grow(void);
 void bench_balance(void);
 void bench_carve(void);
+void bench_handles(void);
 
 #endif

@@ -142,6 +142,7 @@ int main(int argc, char **argv)
     bench_grow();
     bench_balance();
     bench_carve();
+    bench_handles();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {
