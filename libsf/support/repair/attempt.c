@@ -28,6 +28,8 @@
 
 #define FAR 16
 #define FAR_OF_MANY 8
+// Voxels in the air below which the dearer of two first results has rounds too.
+#define HANGING_LITTLE 65536u
 
 void sfi_quest_destroy(sfi_quest *q)
 {
@@ -80,7 +82,7 @@ static sf_status start_carefully(sfi_quest *q, const sf_grid *must, sf_grid **st
     sfi_job careful = q->careful;
     careful.must = must;
     SF_TRY(sf_grid_create(&careful.lattice, careful.allocator, start));
-    SF_TRY(sfi_improve(&careful, NULL, q->rounds, start, &report));
+    SF_TRY(sfi_improve(&careful, q->rounds, start, &report));
     if (report.cost == SF_REPAIR_NO_COST) {
         sf_grid_destroy(*start);
         *start = NULL;
@@ -88,16 +90,25 @@ static sf_status start_carefully(sfi_quest *q, const sf_grid *must, sf_grid **st
     return SF_OK;
 }
 
-static sf_status start(sfi_quest *q, const sfi_job *job, sfi_attempt *a)
+// The first result; under slack it is one of two, and the dearer goes to *second, else NULL.
+static sf_status start(sfi_quest *q, const sfi_job *job, sfi_attempt *a, sf_grid **second)
 {
-    sf_grid *careful = NULL;
-    sf_status status = start_carefully(q, job->must, &careful);
-    if (status == SF_OK) {
-        status = sfi_start(job, careful, &a->plain, &a->report);
-        a->plain_cost = a->report.cost;
+    *second = NULL;
+    SF_TRY(start_carefully(q, job->must, second));
+    SF_TRY(sfi_start(job, &a->plain, &a->report));
+    uint64_t careful = *second != NULL ? sfi_job_bill(job, *second).cost : SF_REPAIR_NO_COST;
+    if (careful < a->report.cost) {
+        sf_grid *grid = a->plain;
+        a->plain = *second;
+        *second = grid;
+        if (a->report.cost == SF_REPAIR_NO_COST) {
+            sf_grid_destroy(grid);
+            *second = NULL;
+        }
+        a->report.first_cost = a->report.cost = careful;
     }
-    sf_grid_destroy(careful);
-    return status;
+    a->plain_cost = a->report.cost;
+    return SF_OK;
 }
 
 static sf_status ask_grow(sfi_quest *q, uint64_t first)
@@ -168,23 +179,35 @@ static sf_status rounds_from_given(const sfi_quest *q, const sfi_job *job, const
     return is_worth ? rounds_from(q, job, given, a) : SF_OK;
 }
 
-static sf_status make_plain(sfi_quest *q, const sfi_job *job, const sfi_attempt *before,
-                            sfi_attempt *a)
+// Rounds from all starts that are worth them; `second` is the dearer first result, or NULL.
+static sf_status try_starts(sfi_quest *q, const sfi_job *job, const sfi_attempt *before,
+                            const sf_grid *second, sfi_attempt *a)
 {
-    SF_TRY(start(q, job, a));
-    if (q->rounds == SF_REPAIR_FIRST) {
-        return SF_OK;
-    }
     SF_TRY(ask_grow(q, a->plain_cost));
     if (is_first_worth_it(q, job, before, a)) {
         SF_TRY(sfi_rounds(job, q->rounds, 1, &a->plain, &a->report));
         a->plain_cost = a->report.cost;
+    }
+    if (sfi_job_hanging(job) < HANGING_LITTLE) {
+        SF_TRY(rounds_from_given(q, job, second, a));
     }
     if (before->plain_cost == SF_REPAIR_NO_COST) {
         return is_grown_worth_it(q, job, a) ? rounds_from(q, job, q->grown, a) : SF_OK;
     }
     SF_TRY(rounds_from_given(q, job, before->plain, a));
     return rounds_from_given(q, job, before->dearer, a);
+}
+
+static sf_status make_plain(sfi_quest *q, const sfi_job *job, const sfi_attempt *before,
+                            sfi_attempt *a)
+{
+    sf_grid *second;
+    sf_status status = start(q, job, a, &second);
+    if (status == SF_OK && q->rounds != SF_REPAIR_FIRST) {
+        status = try_starts(q, job, before, second, a);
+    }
+    sf_grid_destroy(second);
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -37,7 +37,6 @@
 // The cheapest result yet, and one that is being tried.
 typedef struct search {
     const sfi_job *job;
-    const sf_grid *given; // a result to start from, or NULL
     sf_grid *best, *trial;
     uint64_t cost; // of best; SF_REPAIR_NO_COST while there is none
     uint64_t all;  // of keeping everything along the first forest
@@ -109,19 +108,8 @@ static sf_status start_with_forests(search *s)
     return try_forests(s);
 }
 
-static sf_status start_with_given(search *s)
-{
-    if (s->given == NULL) {
-        return SF_OK;
-    }
-    SF_TRY(sfi_grid_copy(s->trial, s->given));
-    offer(s);
-    return SF_OK;
-}
-
 // Each leaves the cheapest result that it knows, if it is cheaper than what is there.
-static sf_status (*const starts[])(search *s) = {start_with_trim, start_with_forests,
-                                                 start_with_given};
+static sf_status (*const starts[])(search *s) = {start_with_trim, start_with_forests};
 
 // ---------------------------------------------------------------------------------------------
 // Rounds
@@ -272,14 +260,9 @@ static void search_end(search *s, sf_grid **result, sf_repair_report *report)
     *result = s->best;
 }
 
-sf_status sfi_start(const sfi_job *job, const sf_grid *given, sf_grid **result,
-                    sf_repair_report *report)
+sf_status sfi_start(const sfi_job *job, sf_grid **result, sf_repair_report *report)
 {
-    search s = {.job = job,
-                .given = given,
-                .best = *result,
-                .cost = SF_REPAIR_NO_COST,
-                .all = SF_REPAIR_NO_COST};
+    search s = {.job = job, .best = *result, .cost = SF_REPAIR_NO_COST, .all = SF_REPAIR_NO_COST};
     report->trim_cost = report->grow_cost = report->first_cost = report->cost = SF_REPAIR_NO_COST;
     if (job->must != NULL && !sfi_grid_within(job->must, job->room)) {
         return SF_OK;
@@ -318,10 +301,10 @@ sf_status sfi_rounds(const sfi_job *job, uint32_t rounds, int is_in_turn, sf_gri
     return status;
 }
 
-sf_status sfi_improve(const sfi_job *job, const sf_grid *given, uint32_t rounds, sf_grid **result,
+sf_status sfi_improve(const sfi_job *job, uint32_t rounds, sf_grid **result,
                       sf_repair_report *report)
 {
-    SF_TRY(sfi_start(job, given, result, report));
+    SF_TRY(sfi_start(job, result, report));
     return rounds == SF_REPAIR_FIRST || report->cost == SF_REPAIR_NO_COST
                ? SF_OK
                : sfi_rounds(job, rounds, 1, result, report);

@@ -205,7 +205,7 @@ static void stops_soon_after_a_cancel(void)
 static void reports_every_layer_of_every_sweep(void)
 {
     static const uint32_t rounds[3] = {SF_REPAIR_FIRST, 1, 0};
-    static const long sweeps[3] = {6, 12, 16};
+    static const long sweeps[3] = {6, 50, 95};
     static watch w;
     enum { LAYERS = 40 };
     scene s;
