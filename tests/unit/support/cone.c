@@ -294,7 +294,7 @@ static void a_finder_finds_what_a_search_finds(void)
         CHECK_EQ(sf_slice_set(sf_grid_slice(grid, 0), i % 2 == 0 ? 0 : 149, (uint32_t)i % 70, 1),
                  SF_OK);
         add_masks(i, &lattice, &terms, masks);
-        compare(grid, &terms, i % 7 == 0 ? SF_LANDING_ALIVE : SF_LANDING_ANY, 200);
+        compare(grid, &terms, i % 7 == 0 ? SF_LANDING_ALIVE : SF_LANDING_ANY, 90);
         sf_grid_destroy(grid);
         sf_grid_destroy(masks[0]);
         sf_grid_destroy(masks[1]);
