@@ -5,7 +5,8 @@
 // place that is furthest from all that is taken, on the way through the solid: a hand that rests on
 // the hip is far from it. Places are the cells that lie at least as deep as the 26 around them; so
 // a handle sits in the middle of the hand and not in the tip of a finger. The depth is added to the
-// distance, which favours a head over a horn.
+// distance, which favours a head over a horn. A shape without limbs has few such places, an egg
+// one; when they are used up, whatever lies at least half as deep as the deepest place will do.
 //
 // Pieces that neither the base nor the deepest cell belongs to are left alone: their weights follow
 // the rest.
@@ -102,15 +103,17 @@ static int has_room(const place *p, uint32_t cell, double radius)
     return 1;
 }
 
-// The best cell, or SFI_NO_CELL. With nothing taken it is the deepest.
-static uint32_t choose(const place *p)
+// The best cell, or SFI_NO_CELL: of those that lie deep among their neighbours, or with `enough` of
+// those at least that deep. With nothing taken it is the deepest.
+static uint32_t choose(const place *p, double enough)
 {
     uint32_t best = SFI_NO_CELL;
     double best_score = 0;
     int first = p->count == 0 && p->base_count == 0;
     for (uint32_t cell = 0; cell < p->domain.cell_count; cell++) {
         double score = p->depth[cell] + (first ? 0 : p->distance[cell]);
-        if (isfinite(score) && score > best_score && is_deep(p, cell) &&
+        if (isfinite(score) && score > best_score &&
+            (enough > 0 ? p->depth[cell] >= enough : is_deep(p, cell)) &&
             has_room(p, cell, p->options.ball * p->depth[cell])) {
             best = cell;
             best_score = score;
@@ -156,15 +159,18 @@ static void settle(const place *p, uint32_t cell, double at[3])
 static sf_status take_all(place *p, sf_task *task, sf_handle *handles)
 {
     sfi_progress progress = sfi_progress_begin(task);
+    double deepest = 0;
     for (size_t i = 0; i < p->domain.cell_count; i++) {
         p->distance[i] = INFINITY;
+        deepest = p->depth[i] > deepest ? p->depth[i] : deepest;
     }
     sfi_domain_spread(&p->domain, p->base, p->base_count, &p->spread, p->distance);
     while (p->count < p->options.count) {
         if (sf_task_is_cancelled(task)) {
             return SF_ERR_CANCELLED;
         }
-        uint32_t cell = choose(p);
+        uint32_t cell = choose(p, 0);
+        cell = cell != SFI_NO_CELL ? cell : choose(p, 0.5 * deepest);
         if (cell == SFI_NO_CELL) {
             break;
         }

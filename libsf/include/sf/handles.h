@@ -141,10 +141,11 @@ SF_API sf_place_options sf_place_options_default(void);
 /**
  * Place handles by themselves: deep in the solid, far from the base and from each other.
  *
- * Places are cells that lie at least as deep as their neighbours. Without a base the first handle
- * takes the deepest of all. Each of the others takes the place that is furthest from what is taken,
- * on the way through the solid, with the depth of the place added. No two handles lie within three
- * cells of each other or of the base. The result is the same everywhere.
+ * Places are cells that lie at least as deep as their neighbours; when these are used up, cells at
+ * least half as deep as the deepest. Without a base the first handle takes the deepest of all. Each
+ * of the others takes the place that is furthest from what is taken, on the way through the solid,
+ * with the depth of the place added. No two handles lie within three cells of each other or of the
+ * base. The result is the same everywhere.
  *
  * @param solid      the voxels; their boxes bound the solid
  * @param options    NULL for the default

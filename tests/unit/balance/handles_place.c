@@ -177,6 +177,31 @@ static void without_a_base_the_deepest_comes_first(void)
     sf_grid_destroy(grid);
 }
 
+// An egg has one place that is deeper than its surroundings; the others lie around it.
+static void a_shape_without_limbs_is_held_all_around(void)
+{
+    sf_lattice lattice = {24, 24, 30, 1, 1, 1, NULL, {-12, -12, -15}};
+    sf_grid *grid = random_solid(&lattice, 0);
+    sf_handle handles[7];
+    sf_place_options options = sf_place_options_default();
+    size_t count = 0;
+    for (uint32_t n = 0; n < 24 * 24 * 30; n++) {
+        double x = n % 24 - 11.5, y = n / 24 % 24 - 11.5, z = n / 576 - 14.5;
+        if (x * x + y * y + z * z * 0.64 < 144) {
+            CHECK_EQ(sf_slice_set(sf_grid_slice(grid, n / 576), n % 24, n / 24 % 24, 1), SF_OK);
+        }
+    }
+    options.count = 7;
+    CHECK_EQ(sf_handles_place(grid, &options, NULL, NULL, handles, 7, &count, NULL), SF_OK);
+    CHECK_EQ(count, 7);
+    for (size_t i = 0; i < count; i++) {
+        const double *p = handles[i].at_mm;
+        double away = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        CHECK(i == 0 ? away < 2 : away > 2 && away < 10);
+    }
+    sf_grid_destroy(grid);
+}
+
 static void balls_leave_room(void)
 {
     sf_grid *feet, *grid = figure(2, &feet);
@@ -256,6 +281,7 @@ int main(void)
     TEST(depths_and_distances);
     TEST(a_figure_is_held_by_hands_and_head);
     TEST(without_a_base_the_deepest_comes_first);
+    TEST(a_shape_without_limbs_is_held_all_around);
     TEST(balls_leave_room);
     TEST(what_cannot_be_is_refused);
     return test_finish();

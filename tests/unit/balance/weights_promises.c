@@ -223,6 +223,47 @@ static void loose_pieces_follow_the_closest(void)
     sf_grid_destroy(grid);
 }
 
+// What a handle in another piece does is nothing: weights of a piece are those that it has alone.
+static void pieces_do_not_know_of_each_other(void)
+{
+    sf_lattice lattice = {24, 6, 6, 1, 1, 1, NULL, {0, 0, 0}};
+    sf_grid *both = random_solid(&lattice, 1), *alone = NULL;
+    for (uint32_t k = 0; k < 6; k++) {
+        sf_rect gap = {12, 0, 13, 6};
+        CHECK_EQ(sf_slice_fill(sf_grid_slice(both, k), gap, 0), SF_OK);
+    }
+    CHECK_EQ(sf_grid_clone(both, NULL, &alone), SF_OK);
+    for (uint32_t k = 0; k < 6; k++) {
+        sf_rect rest = {13, 0, 24, 6};
+        CHECK_EQ(sf_slice_fill(sf_grid_slice(alone, k), rest, 0), SF_OK);
+    }
+    sf_handle handles[4] = {{SF_HANDLE_POINT, {0.5, 0.5, 0.5}, 0, NULL, 0},
+                            {SF_HANDLE_POINT, {8.5, 3.5, 3.5}, 0, NULL, 0},
+                            {SF_HANDLE_POINT, {14.5, 0.5, 3.5}, 0, NULL, 0},
+                            {SF_HANDLE_POINT, {20.5, 5.5, 3.5}, 0, NULL, 0}};
+    for (int method = 0; method < 2; method++) {
+        sf_weights_options options = sf_weights_options_default();
+        options.method = (sf_weights_method)method;
+        options.tolerance = 1e-8;
+        sf_weights *all = make(both, handles, 4, &options, NULL),
+                   *two = make(alone, handles, 2, &options, NULL);
+        for (int i = 0; i < 1000; i++) {
+            double p[3] = {24 * test_random_unit(), 6 * test_random_unit(), 6 * test_random_unit()};
+            double w[4], v[2];
+            CHECK_EQ(sf_weights_at(all, p, w, NULL), SF_OK);
+            CHECK_EQ(sf_weights_at(two, p, v, NULL), SF_OK);
+            for (int j = 0; p[0] < 12 && j < 4; j++) {
+                CHECK_NEAR(w[j], j < 2 ? v[j] : 0, 1e-7);
+            }
+            CHECK(p[0] < 13 || (w[0] < 1e-7 && w[1] < 1e-7));
+        }
+        sf_weights_destroy(all);
+        sf_weights_destroy(two);
+    }
+    sf_grid_destroy(both);
+    sf_grid_destroy(alone);
+}
+
 static void refuse(const sf_grid *grid, const sf_handle *handles, size_t count, sf_status status,
                    const char *words)
 {
@@ -383,6 +424,7 @@ int main(void)
     TEST(blocks_are_few_and_nearly_cubes);
     TEST(one_handle_has_it_all);
     TEST(loose_pieces_follow_the_closest);
+    TEST(pieces_do_not_know_of_each_other);
     TEST(what_cannot_be_is_refused);
     TEST(options_out_of_range_are_refused);
     TEST(memory_runs_out);
