@@ -20,7 +20,7 @@ typedef struct option_entry {
 static const option_entry table[] = {
     {OPTION_OUTPUT, "output", 'o', "OUT", "where the result goes"},
     {OPTION_RESOLUTION, "resolution", 0, "N",
-     "voxels on the longest side, 1 to 65533 (default 256)"},
+     "voxels on the longest side, 1 to 65533 (default 256; 64 to stand)"},
     {OPTION_PITCH, "pitch", 0, "PX[,PY[,LAYER]]", "voxel size in mm instead of a resolution"},
     {OPTION_ANGLE, "angle", 0, "DEG",
      "overhang that still prints, 5 to 85 from the vertical (default 45)"},
@@ -46,6 +46,23 @@ static const option_entry table[] = {
      "places of at most N voxels are summed up, not named (default 8)"},
     {OPTION_PRINTING, "printing", 0, NULL,
      "also ask whether it topples while it is printed, which is then status 1"},
+    {OPTION_GAMMA, "gamma", 0, "DEG", "tilt that it must stand, 0 to 80 (default 4)"},
+    {OPTION_CONTACTS, "contacts", 0, "WHERE",
+     "only vertices there can touch the ground, such as 'x>0' or 'x>0,y<2.5'"},
+    {OPTION_SUSPEND, "suspend", 0, "X,Y,Z", "it hangs from that point, and stands on nothing"},
+    {OPTION_STANCE, "stance", 0, "FILE", "poses that it is to rest in, instead of --up"},
+    {OPTION_HANDLES, "handles", 0, "FILE|auto:N",
+     "what bends it; or N places, 0 to 63, found by themselves (default auto:8)"},
+    {OPTION_CARVE, "carve", 0, "WAY",
+     "support-free (default), or paper, after which ceilings may hang"},
+    {OPTION_SOLVER, "solver", 0, "WAY", "sqp (default), or paper: its gradient descent"},
+    {OPTION_MU, "mu", 0, "M", "what the shape weighs in the paper's sum, 0 to 1 (default 0.5)"},
+    {OPTION_NO_CARVE, "no-carve", 0, NULL, "leave the inside as it is"},
+    {OPTION_NO_DEFORM, "no-deform", 0, NULL, "leave the outside as it is"},
+    {OPTION_NO_LAPLACIAN, "no-laplacian", 0, NULL, "let details go where that bends it less"},
+    {OPTION_REST, "rest", 0, NULL, "change nothing: say where it comes to rest, put down as --up"},
+    {OPTION_BUILD, "build", 0, "AXIS",
+     "the axis that points up while it is printed (default: --up)"},
     {OPTION_UP, "up", 0, "AXIS", "the input's axis that points up: +x -x +y -y +z -z"},
     {OPTION_UNITS, "units", 0, "UNIT", "unit of the input: mm (default), cm, m, in"},
     {OPTION_SCALE, "scale", 0, "F", "make the part F times as large"},
@@ -98,7 +115,7 @@ static int take_option(const cli_verb *verb, int index, cli_options *made, char 
         made->steepest = 1;
     } else if (entry->bit == OPTION_PRINTING) {
         made->printing = 1;
-    } else if (!values_parse(entry->bit, optarg, made)) {
+    } else if (entry->argument != NULL && !values_parse(entry->bit, optarg, made)) {
         snprintf(message, size, "--%s wants %s, and '%s' will not do: %s", entry->name,
                  entry->argument, optarg, entry->help);
         return -1;

@@ -4,12 +4,11 @@
 #ifndef DEMO_SF_OPTIONS_H
 #define DEMO_SF_OPTIONS_H
 
+#include "stand_values.h"
+
 #include <sf/sf.h>
 
 #include <stdio.h>
-
-// Directions that can point up from the bed.
-typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MINUS_Z } axis;
 
 // Options, one bit each: which ones a verb takes, and which ones were given.
 #define OPTION_OUTPUT (UINT64_C(1) << 0)
@@ -46,6 +45,19 @@ typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MIN
 #define OPTION_DENSITY (UINT64_C(1) << 31)
 #define OPTION_PICTURE (UINT64_C(1) << 32)
 #define OPTION_CAVITY (UINT64_C(1) << 33)
+#define OPTION_BUILD (UINT64_C(1) << 34)
+#define OPTION_GAMMA (UINT64_C(1) << 35)
+#define OPTION_CONTACTS (UINT64_C(1) << 36)
+#define OPTION_HANDLES (UINT64_C(1) << 37)
+#define OPTION_SUSPEND (UINT64_C(1) << 38)
+#define OPTION_STANCE (UINT64_C(1) << 39)
+#define OPTION_CARVE (UINT64_C(1) << 40)
+#define OPTION_SOLVER (UINT64_C(1) << 41)
+#define OPTION_MU (UINT64_C(1) << 42)
+#define OPTION_NO_CARVE (UINT64_C(1) << 43)
+#define OPTION_NO_DEFORM (UINT64_C(1) << 44)
+#define OPTION_NO_LAPLACIAN (UINT64_C(1) << 45)
+#define OPTION_REST (UINT64_C(1) << 46)
 
 typedef struct cli_options {
     uint64_t given; // OPTION_* that were on the command line
@@ -81,6 +93,7 @@ typedef struct cli_options {
     int steepest;
     uint32_t crumbs; // places of at most that many voxels are not named
     int printing;    // whether it is asked if it topples
+    stand_values stand;
 } cli_options;
 
 // A verb of the program. The list ends with an entry whose name is NULL.

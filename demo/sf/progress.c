@@ -10,6 +10,7 @@
 #include "pool.h"
 
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,6 +123,20 @@ void progress_phase(const char *name)
     state.begun = seconds();
     state.columns = state.visible ? columns_of_terminal() : 80;
     state.last = 0;
+}
+
+void progress_line(const char *format, ...)
+{
+    va_list arguments;
+    if (!state.visible) {
+        return;
+    }
+    wipe();
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    fflush(stderr);
 }
 
 void progress_end(void)

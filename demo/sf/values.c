@@ -135,11 +135,11 @@ static int parse_view(const char *text, cli_options *made)
     return 1;
 }
 
-static int parse_up(const char *text, cli_options *made)
+static int parse_axis(const char *text, axis *found)
 {
     for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
         if (strcmp(text, axes[i].name) == 0) {
-            made->up = axes[i].axis;
+            *found = axes[i].axis;
             return 1;
         }
     }
@@ -259,7 +259,7 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
     case OPTION_MODE:
         return parse_mode(text, made);
     case OPTION_UP:
-        return parse_up(text, made);
+        return parse_axis(text, &made->up);
     case OPTION_UNITS:
         return parse_units(text, made);
     case OPTION_FILL:
@@ -278,8 +278,10 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
         return parse_positive(text, &made->min_feature_mm);
     case OPTION_BED:
         return parse_numbers(text, &made->bed_mm, 1, 1);
+    case OPTION_BUILD:
+        return parse_axis(text, &made->stand.build);
     default:
-        return parse_bounded(bit, text, made);
+        return parse_bounded(bit, text, made) || stand_values_parse(bit, text, &made->stand);
     }
 }
 
@@ -300,5 +302,6 @@ cli_options values_default(void)
     made.pixels[1] = 900;
     made.count = 5;
     made.crumbs = 8;
+    made.stand = stand_values_default();
     return made;
 }

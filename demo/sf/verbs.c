@@ -13,6 +13,12 @@
 #define CHANGE_OPTIONS                                                                             \
     (INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_SMOOTH |                 \
      OPTION_CERTIFICATE)
+#define STAND_OPTIONS                                                                              \
+    (OPTION_OUTPUT | OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE |  \
+     OPTION_SIZE | OPTION_ANGLE | OPTION_RULE | OPTION_MEMORY | OPTION_WALL | OPTION_MIN_FEATURE | \
+     OPTION_DENSITY | OPTION_PIXELS | OPTION_BUILD | OPTION_GAMMA | OPTION_CONTACTS |              \
+     OPTION_HANDLES | OPTION_SUSPEND | OPTION_STANCE | OPTION_CARVE | OPTION_SOLVER | OPTION_MU |  \
+     OPTION_NO_CARVE | OPTION_NO_DEFORM | OPTION_NO_LAPLACIAN | OPTION_REST)
 #define CHANGE_OUTPUT "a mesh (.stl .obj .ply), or a folder for layers"
 
 const verb_entry verbs_table[] = {
@@ -68,6 +74,16 @@ const verb_entry verbs_table[] = {
       "  sf hollow part.stl --wall 2 --drain 3,2 --cavity cavity.stl --picture cut.png\n",
       CHANGE_OUTPUT},
      verb_hollow},
+    {{"stand", "make a model stand, hang or rock as it is meant to", "MESH", 0,
+      STAND_OPTIONS | HOST_OPTIONS,
+      "  sf stand part.stl --up +z -o standing\n"
+      "  sf stand part.stl --up +x --build +z --gamma 6 --wall 2 -o standing\n"
+      "  sf stand part.stl --carve paper --no-deform\n"
+      "  sf stand part.stl --suspend 0,0,9\n"
+      "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
+      "  sf stand part.stl --up -y --rest\n",
+      "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png"},
+     verb_stand},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
       "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},

@@ -8,14 +8,20 @@ run slice scene:garden --resolution 24 -o layers
 box box.obj 10 10 0 30 30 20
 run slice box.obj --pitch 2 -o box
 run trim box -o box.stl
-for verb in run info check trim grow repair preserve hollow slice orient render; do
+cat >stances.json <<'END'
+{"format": "libsf-stance", "version": 1, "stances": [{"kind": "stand", "up": [0, 0, 1]}]}
+END
+cat >handles.json <<'END'
+{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [28, 25, 36]}]}
+END
+for verb in run info check trim grow repair preserve hollow stand slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
     ok $? "$verb --help has examples"
     says=no
     grep -q 'stack of pictures that sf' stdout && says=yes
-    same $says "$([ $verb = orient ] && echo no || echo yes)" "$verb --help says whether it takes more than meshes"
+    same $says "$(case $verb in orient | stand) echo no ;; *) echo yes ;; esac)" "$verb --help says whether it takes more than meshes"
     cp stdout asked
     run help $verb
     cmp -s stdout asked
@@ -28,7 +34,7 @@ for verb in run info check trim grow repair preserve hollow slice orient render;
         esac
         case $line in *--pitch\ 0.05*) line="$line --size 4" ;; esac
         case $line in *--pitch\ 0.1*) line="$line --size 8" ;; esac
-        case $line in *render* | run* | *--picture*) extra="$extra --pixels 96,96" ;; esac
+        case $line in *render* | run* | stand* | *--picture*) extra="$extra --pixels 96,96" ;; esac
         # shellcheck disable=SC2086
         run $line $extra
         [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; } ||

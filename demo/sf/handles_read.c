@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// What bends a model: handles of a file, or places found by themselves, deep in it and away from
+// what it stands on or hangs from.
+
+#include "handles_read.h"
+
+#include "json_read.h"
+#include "progress.h"
+#include "turned.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---------------------------------------------------------------------------------------------
+// By themselves
+// ---------------------------------------------------------------------------------------------
+
+// Mark the voxel that holds a place; one on the grid's border counts to the voxel inside.
+static sf_status mark(const sf_lattice *l, const double at[3], sf_grid *base)
+{
+    const double pitch[3] = {l->pitch_x_mm, l->pitch_y_mm, l->layer_mm};
+    const uint32_t count[3] = {l->nx, l->ny, l->nz};
+    uint32_t voxel[3];
+    for (int d = 0; d < 3; d++) {
+        double v = floor((at[d] - l->origin_mm[d]) / pitch[d]);
+        voxel[d] = v < 0 ? 0 : v >= count[d] ? count[d] - 1 : (uint32_t)v;
+    }
+    return sf_slice_set(sf_grid_slice(base, voxel[2]), voxel[0], voxel[1], 1);
+}
+
+static sf_status mark_contacts(const sf_lattice *l, sf_mesh_view mesh, const sf_stance *stance,
+                               sf_grid *base)
+{
+    size_t count = 0;
+    sf_status status = sf_stance_contacts(stance, NULL, 0, &count);
+    if (status != SF_ERR_CAPACITY) {
+        return status;
+    }
+    uint32_t *touch = malloc(count * sizeof *touch);
+    status = touch == NULL ? SF_ERR_MEMORY : sf_stance_contacts(stance, touch, count, &count);
+    for (size_t i = 0; status == SF_OK && i < count; i++) {
+        status = mark(l, mesh.vertices + 3 * (size_t)touch[i], base);
+    }
+    free(touch);
+    return status;
+}
+
+// What all stances touch.
+static exit_status mark_base(cli_job *job, const part *p, const stances *s, sf_grid *base)
+{
+    sf_lattice l = sf_grid_lattice(p->grid);
+    sf_mesh_view mesh = sf_mesh_get_view(p->mesh);
+    for (size_t i = 0; i < s->count; i++) {
+        sf_fault fault = {SF_OK, 0, 0, ""};
+        sf_stance *stance = NULL;
+        sf_status status = sf_stance_create(mesh, &s->each[i], NULL, &stance, &fault);
+        if (status == SF_OK) {
+            status = s->each[i].kind == SF_STANCE_HANG ? mark(&l, s->each[i].point_mm, base)
+                                                       : mark_contacts(&l, mesh, stance, base);
+        }
+        sf_stance_destroy(stance);
+        if (status != SF_OK) {
+            return job_fail_call(job, status, &fault, job->options.input, EXIT_INPUT);
+        }
+    }
+    return EXIT_GOOD;
+}
+
+static exit_status find_places(cli_job *job, const part *p, const sf_grid *base, handles *h)
+{
+    sf_place_options how = sf_place_options_default();
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    how.count = job->options.stand.handle_count;
+    how.base = base;
+    sf_status status = sf_handles_place(p->grid, &how, NULL, &job->task, h->each, SF_HANDLE_MAX,
+                                        &h->count, &fault);
+    if (status == SF_ERR_INFEASIBLE) {
+        job_warn(job, "There is no room for a handle: the outside stays as it is.");
+        h->count = 0;
+        return EXIT_GOOD;
+    }
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, &fault, "the handles", EXIT_INPUT);
+}
+
+static exit_status place(cli_job *job, const part *p, const stances *s, handles *h)
+{
+    sf_lattice l = sf_grid_lattice(p->grid);
+    sf_grid *base = NULL;
+    h->are_placed = 1;
+    if (job->options.stand.handle_count == 0) {
+        return EXIT_GOOD;
+    }
+    progress_phase("placing handles");
+    sf_status made = sf_grid_create(&l, NULL, &base);
+    exit_status status = made == SF_OK
+                             ? mark_base(job, p, s, base)
+                             : job_fail_call(job, made, NULL, "the handles", EXIT_RESOURCE);
+    if (status == EXIT_GOOD) {
+        status = find_places(job, p, base, h);
+    }
+    sf_grid_destroy(base);
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------
+// From a file
+// ---------------------------------------------------------------------------------------------
+
+#ifdef SF_HAVE_JANSSON
+
+static const char *const kinds[] = {[SF_HANDLE_POINT] = "point", [SF_HANDLE_BALL] = "ball"};
+static const char *const keys[] = {"kind", "at_mm", "radius_mm", "locked", "pose"};
+static const char *const pose_keys[] = {"scale", "shift_mm"};
+
+static exit_status fail(cli_job *job, const char *what)
+{
+    return json_fail(job, EXIT_INPUT, "--handles", job->options.stand.handles, what);
+}
+
+static exit_status read_pose(cli_job *job, const json_t *object, handles *h, size_t i)
+{
+    const json_t *pose = json_object_get(object, "pose");
+    double shift[3] = {0, 0, 0};
+    if (pose == NULL) {
+        return EXIT_GOOD;
+    }
+    if (!json_has_only(pose, pose_keys, 2) || !json_get_number(pose, "scale", &h->poses[i].scale) ||
+        !(h->poses[i].scale > 0) || !json_get_triple(pose, "shift_mm", shift)) {
+        return fail(job, "a pose has a scale above 0 and a shift_mm of three numbers.");
+    }
+    turned_to_build(job, shift, h->poses[i].shift_mm);
+    h->posed[i] = 1;
+    return EXIT_GOOD;
+}
+
+static exit_status read_one(cli_job *job, const json_t *object, handles *h, size_t i)
+{
+    sf_handle *made = &h->each[i];
+    int kind = json_get_choice(object, "kind", kinds, 2, SF_HANDLE_POINT);
+    if (!json_has_only(object, keys, sizeof keys / sizeof keys[0]) || kind < 0 ||
+        json_object_get(object, "at_mm") == NULL) {
+        return fail(job, "a handle has at_mm, and may have a kind (point, ball), radius_mm, locked "
+                         "and a pose, and nothing else.");
+    }
+    made->kind = (sf_handle_kind)kind;
+    if (!json_get_triple(object, "at_mm", made->at_mm) ||
+        !json_get_number(object, "radius_mm", &made->radius_mm) ||
+        !json_get_flag(object, "locked", &made->locked)) {
+        return fail(job, "at_mm is three numbers, radius_mm one, locked true or false.");
+    }
+    if (kind == SF_HANDLE_BALL && !(made->radius_mm > 0)) {
+        return fail(job, "a ball has a radius_mm above 0.");
+    }
+    turned_to_build(job, made->at_mm, made->at_mm);
+    h->poses[i] = sf_pose_identity();
+    return read_pose(job, object, h, i);
+}
+
+static exit_status from_file(cli_job *job, handles *h)
+{
+    json_t *root;
+    const json_t *items;
+    exit_status status =
+        json_read_list(job, "--handles", job->options.stand.handles, "libsf-handles", "handles",
+                       SF_HANDLE_MAX - 1, &root, &items);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    h->count = json_array_size(items);
+    for (size_t i = 0; status == EXIT_GOOD && i < h->count; i++) {
+        status = read_one(job, json_array_get(items, i), h, i);
+    }
+    json_decref(root);
+    return status;
+}
+
+#else
+
+static exit_status from_file(cli_job *job, handles *h)
+{
+    (void)h;
+    return json_fail(job, EXIT_INPUT, "--handles", job->options.stand.handles,
+                     "this build reads no JSON; build it with jansson.");
+}
+
+#endif
+
+exit_status handles_read(cli_job *job, const part *p, const stances *s, handles *h)
+{
+    memset(h, 0, sizeof *h);
+    if (job->options.given & OPTION_NO_DEFORM) {
+        return EXIT_GOOD;
+    }
+    return job->options.stand.handles != NULL ? from_file(job, h) : place(job, p, s, h);
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// The files that `sf stand` writes. All are written aside first, which is where room may run out
+// and where a person may cancel; then each takes its name, the report last. A file of an earlier
+// run that this one has no use for goes: it would not belong to this report.
+
+#include "stand_files.h"
+
+#include "balance_picture.h"
+#include "output.h"
+#include "progress.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { OUTER, INNER, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
+
+static const char *const endings[] = {"_outer.stl", "_inner.stl", ".png", ".json"};
+static const char *const keys[] = {"outer", "inner", "picture", "report"};
+
+typedef struct file_set {
+    char path[FILE_COUNT][PATH_SIZE];
+    sf_save *save[FILE_COUNT]; // NULL: not written
+} file_set;
+
+static exit_status name_files(cli_job *job, file_set *files)
+{
+    memset(files, 0, sizeof *files);
+    for (int i = 0; i < FILE_COUNT; i++) {
+        int length = snprintf(files->path[i], PATH_SIZE, "%s%s", job->options.output, endings[i]);
+        if (length < 0 || length >= PATH_SIZE) {
+            return job_fail(job, EXIT_USAGE, "-o: The path is too long.");
+        }
+    }
+    return EXIT_GOOD;
+}
+
+exit_status stand_files_check(cli_job *job)
+{
+    file_set files;
+    if (job->options.output == NULL) {
+        return EXIT_GOOD;
+    }
+    exit_status status = name_files(job, &files);
+    for (int i = 0; status == EXIT_GOOD && i < FILE_COUNT; i++) {
+        status = output_probe(job, files.path[i], i == PICTURE ? OUTPUT_PICTURE : OUTPUT_MESH);
+    }
+    return status;
+}
+
+static exit_status begin(cli_job *job, file_set *files, int which)
+{
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_save_begin(files->path[which], NULL, &files->save[which], &fault);
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, &fault, files->path[which], EXIT_RESOURCE);
+}
+
+static exit_status end(cli_job *job, const file_set *files, int which, sf_status status)
+{
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, NULL, files->path[which], EXIT_RESOURCE);
+}
+
+// A mesh in the axes of the input.
+static exit_status write_mesh(cli_job *job, file_set *files, int which, sf_mesh_view view)
+{
+    sf_mesh *mesh = NULL;
+    sf_transform back = part_to_input(job);
+    exit_status begun = begin(job, files, which);
+    if (begun != EXIT_GOOD) {
+        return begun;
+    }
+    sf_status status = sf_mesh_create(NULL, &mesh);
+    if (status == SF_OK) {
+        status = sf_mesh_add_vertices(mesh, view.vertices, view.vertex_count);
+    }
+    if (status == SF_OK) {
+        status = sf_mesh_add_triangles(mesh, view.triangles, view.triangle_count);
+    }
+    if (status == SF_OK) {
+        status = sf_mesh_transform(mesh, &back);
+    }
+    if (status == SF_OK) {
+        status = sf_mesh_write(sf_mesh_get_view(mesh), SF_MESH_FORMAT_STL,
+                               sf_save_sink(files->save[which]));
+    }
+    sf_mesh_destroy(mesh);
+    return end(job, files, which, status);
+}
+
+static exit_status write_picture(cli_job *job, file_set *files, const model *m)
+{
+    canvas picture = {NULL, 0, 0};
+    if (!sf_stack_has_png()) {
+        return EXIT_GOOD;
+    }
+    exit_status status = balance_picture_draw(job, m, &picture);
+    if (status == EXIT_GOOD) {
+        status = begin(job, files, PICTURE);
+    }
+    if (status == EXIT_GOOD) {
+        status = end(job, files, PICTURE,
+                     sf_png_write_rgb(picture.pixels, picture.width, picture.height,
+                                      sf_save_sink(files->save[PICTURE])));
+    }
+    canvas_destroy(&picture);
+    return status;
+}
+
+static exit_status write_report(cli_job *job, file_set *files)
+{
+    exit_status status = begin(job, files, REPORT);
+    report *r = job->report;
+    report_number(r, "seconds", job_seconds(job));
+    for (int i = 0; i < FILE_COUNT; i++) {
+        if (files->save[i] != NULL) {
+            report_text(r, keys[i], files->path[i]);
+        } else {
+            report_null(r, keys[i]);
+        }
+    }
+    report_say(r, "Written to %s_outer.stl%s%s and %s.json.", job->options.output,
+               files->save[INNER] != NULL ? ", _inner.stl" : "",
+               files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
+    return status == EXIT_GOOD
+               ? end(job, files, REPORT, report_print_json(r, sf_save_sink(files->save[REPORT])))
+               : status;
+}
+
+static exit_status publish(cli_job *job, file_set *files)
+{
+    exit_status status = EXIT_GOOD;
+    if (sf_task_is_cancelled(&job->task)) {
+        status = job_fail_call(job, SF_ERR_CANCELLED, NULL, "", EXIT_RESOURCE);
+    }
+    for (int i = 0; i < FILE_COUNT; i++) {
+        sf_fault fault = {SF_OK, 0, 0, ""};
+        if (status != EXIT_GOOD) {
+            sf_save_abort(files->save[i]);
+        } else if (files->save[i] == NULL) {
+            remove(files->path[i]);
+        } else {
+            sf_status done = sf_save_commit(files->save[i], &fault);
+            status = done == SF_OK
+                         ? EXIT_GOOD
+                         : job_fail_call(job, done, &fault, files->path[i], EXIT_RESOURCE);
+        }
+        files->save[i] = NULL;
+    }
+    return status;
+}
+
+exit_status stand_files_save(cli_job *job, const model *m)
+{
+    file_set files;
+    exit_status status = name_files(job, &files);
+    sf_mesh_view cavity = sf_stand_cavity(m->stand);
+    progress_phase("writing");
+    if (status == EXIT_GOOD) {
+        status = write_mesh(job, &files, OUTER, sf_stand_outer(m->stand));
+    }
+    if (status == EXIT_GOOD && cavity.triangle_count > 0) {
+        status = write_mesh(job, &files, INNER, cavity);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_picture(job, &files, m);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_report(job, &files);
+    }
+    if (status == EXIT_GOOD) {
+        return publish(job, &files);
+    }
+    for (int i = 0; i < FILE_COUNT; i++) {
+        sf_save_abort(files.save[i]);
+    }
+    return status;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The files that `sf stand` writes, all under one prefix.
+
+#ifndef DEMO_SF_STAND_FILES_H
+#define DEMO_SF_STAND_FILES_H
+
+#include "stand_model.h"
+
+// Refuse, before any work is done, a prefix under which nothing can be written.
+exit_status stand_files_check(cli_job *job);
+
+// Write PREFIX_outer.stl, PREFIX_inner.stl, PREFIX.png and PREFIX.json, whose report is then
+// complete. None of them changes before all are written aside.
+exit_status stand_files_save(cli_job *job, const model *m);
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A model that is made to stand: what it is to rest on, what bends it, and how far it came.
+
+#ifndef DEMO_SF_STAND_MODEL_H
+#define DEMO_SF_STAND_MODEL_H
+
+#include "densities.h"
+#include "handles_read.h"
+
+#include <sf/stand.h>
+
+typedef struct model {
+    part part; // in build axes, closed and turned outwards, with voxels
+    axis up;   // of the input, against gravity
+    stances stances;
+    handles handles;
+    densities densities;
+    sf_lattice lattice; // of the part's voxels
+    sf_stand_options options;
+    sf_stand *stand;
+    sf_stand_report report;
+    double size_mm;     // longest side
+    double wall_min_mm; // measured; infinite where nothing is carved
+} model;
+
+// Read the mesh, and refuse one that is open; one that is inside out is turned. With voxels, and
+// what they weigh.
+exit_status model_read(cli_job *job, model *m);
+
+// Prepare it, and go rounds until it stands or nothing improves.
+exit_status model_run(cli_job *job, model *m);
+
+// Whether all that was asked for was reached.
+int model_holds(const model *m);
+
+void model_release(model *m);
+
+#endif
