@@ -18,7 +18,7 @@
 #include <string.h>
 
 enum { PANELS_MAX = 4, SIDE = 4 };
-#define LEAST_PART 0.12 // of the model's size that a picture shows at least
+#define LEAST_PART 0.25 // of the model's size that a picture shows at least
 #define MARGIN 0.22     // around what must be seen
 
 static const double paper[3] = {1, 1, 1}, shadow[3] = {0.925, 0.93, 0.94};
@@ -116,7 +116,7 @@ static distances look(const panel *p, const double at[2])
     const double *last = q->corners + 2 * (q->corner_count > 0 ? q->corner_count - 1 : 0);
     distances d;
     d.support = q->corner_count > 2   ? -plan_depth(q->edges, q->edge_count, at)
-                : q->corner_count > 0 ? distance_to_segment(q->corners, last, at) - p->pen
+                : q->corner_count > 0 ? distance_to_segment(q->corners, last, at) - 2 * p->pen
                                       : INFINITY;
     d.safe = q->is_never_safe || q->safe_count == 0 ? INFINITY
                                                     : -plan_depth(q->safes, q->safe_count, at);

@@ -25,7 +25,11 @@ const char *stand_direction(const double up[3], char words[STAND_DIRECTION_SIZE]
             return words;
         }
     }
-    snprintf(words, STAND_DIRECTION_SIZE, "(%.3f, %.3f, %.3f)", up[0], up[1], up[2]);
+    double shown[3];
+    for (int i = 0; i < 3; i++) {
+        shown[i] = floor(up[i] * 1000 + 0.5) / 1000 + 0.0; // no -0.000
+    }
+    snprintf(words, STAND_DIRECTION_SIZE, "(%.3f, %.3f, %.3f)", shown[0], shown[1], shown[2]);
     return words;
 }
 
@@ -128,6 +132,17 @@ static void report_axes(const cli_job *job, const model *m)
     report_text(job->report, "build", stand_direction(build, words));
 }
 
+static int only_stands(const model *m)
+{
+    return m->stances.count == 1 && m->stances.each[0].kind == SF_STANCE_STAND;
+}
+
+// Where nothing is carved, and where it does more than stand, there is none.
+static int has_bound(const model *m)
+{
+    return only_stands(m) && m->options.carve && m->report.bound_rad * DEGREES < 90 - 1e-9;
+}
+
 static void report_fields(const cli_job *job, const model *m)
 {
     const sf_stand_report *done = &m->report;
@@ -139,7 +154,11 @@ static void report_fields(const cli_job *job, const model *m)
     report_flag(r, "safe", done->safe);
     report_number(r, "margin_deg", done->margin_rad * DEGREES);
     report_number(r, "margin_before_deg", done->margin_before_rad * DEGREES);
-    report_number(r, "bound_deg", done->bound_rad * DEGREES);
+    if (has_bound(m)) {
+        report_number(r, "bound_deg", done->bound_rad * DEGREES);
+    } else {
+        report_null(r, "bound_deg");
+    }
     report_point(job, "com_mm", done->com_mm);
     report_point(job, "com_before_mm", done->com_before_mm);
     report_polygon(job, sf_stand_stance(m->stand, 0));
@@ -160,19 +179,12 @@ static void report_fields(const cli_job *job, const model *m)
 // Sentences
 // ---------------------------------------------------------------------------------------------
 
-static int only_stands(const model *m)
-{
-    return m->stances.count == 1 && m->stances.each[0].kind == SF_STANCE_STAND;
-}
-
-// Only where something was carved is there a bound for carving.
 static void say_bound(const cli_job *job, const model *m)
 {
-    double bound = m->report.bound_rad * DEGREES;
-    if (m->options.carve && bound < 89.999) {
+    if (has_bound(m)) {
         report_say(job->report,
-                   "No carving of the shape as it was given passes a margin of %.1f degrees.",
-                   bound);
+                   "No carving of the shape as it was given passes a margin of %.2f degrees.",
+                   m->report.bound_rad * DEGREES);
     }
 }
 

@@ -3,6 +3,7 @@
 # several stances, files of handles, what cannot be, is held against shapes of which one knows.
 . "$1"
 needs_json
+docs=$(dirname "$1")/../../docs/balance.md
 
 # tower FILE LEAN RINGS: a square column of 12 mm and 40 mm height whose top lies LEAN aside in x.
 tower() {
@@ -90,4 +91,178 @@ for case in "tower.obj +z 3" "tower_x.obj +x 1" "tower_y.obj +y 2"; do
         same "$(head -c 4 tower.png | tail -c 3)" PNG "and a picture shows it"
     fi
 done
+
+# Printed another way up than it stands: gravity's up decides, and all is in the axes of the input.
+exits 0 stand tower.obj --up +z --build +x --wall 1 --resolution 32 --pixels 200,150 -o other --json
+same "$(value safe) $(value up) $(value build) $(value cavity_support_free)" "true +z +x true" "printed along x it stands along z"
+near "$(value margin_deg)" "$(tipped 3 other_outer.stl other_inner.stl)" 0.01 "by the margin of its meshes"
+near "$(value com_before_mm.0)" 14 1e-9 "with places in the axes of the input"
+
+# A tower that carving alone can save, and one that it cannot: then the bound is the proof.
+tower light.obj 13 1
+exits 0 stand light.obj --wall 1 --resolution 40 --no-deform --gamma 1 -o light --json
+same "$(value safe)" true "carved alone it stands"
+corners light_outer.stl | sort -u >new
+awk '/^v/ { printf "%.9g %.9g %.9g\n", $2, $3, $4 }' light.obj | sort -u >old
+cmp -s old new
+ok $? "and its outside is as it was"
+near "$(value margin_deg)" "$(tipped 3 light_outer.stl light_inner.stl)" 0.01 "by the margin of its meshes"
+awk -v b="$(value bound_deg)" -v m="$(value margin_deg)" 'BEGIN { exit !(b >= m) }'
+ok $? "which is no better than the bound ($(value bound_deg), $(value margin_deg))"
+exits 1 stand tower.obj --wall 1 --resolution 32 --no-deform
+grep -q 'It cannot stand: the best margin that was found is -' stdout && grep -q 'No carving of the shape as it was given passes a margin of -' stdout
+ok $? "where it cannot stand, a sentence says how far it came, and that no carving could"
+exits 1 stand tower.obj --no-deform --no-carve --json
+same "$(value stands) $(value bound_deg) $(value carved_mm3) $(value iterations)" "false null 0 1" "left as it is it falls"
+near "$(value margin_deg)" "-5.7106" 1e-3 "by what it was"
+for way in "--carve paper" "--no-carve" "--no-laplacian" "--min-feature 4" "--handles auto:3"; do
+    # shellcheck disable=SC2086
+    exits 0 stand tower.obj --resolution 32 $way --json
+    same "$(value safe)" true "it stands with $way"
+done
+run stand tower.obj --wall 1 --resolution 32 --solver paper --mu 0.2
+[ "$exit" -le 1 ] && grep -q 'rounds' stdout
+ok $? "the paper's solver runs ($exit)"
+
+# Contacts: on one of two feet. A bench whose feet stand at x = 0..4 and 16..20.
+awk 'BEGIN { b = 0; print "# bench" }
+    function box(x0, x1, z0, z1, i) {
+        for (i = 0; i < 8; i++) print "v", (i % 2) ? x1 : x0, (int(i / 2) % 2) ? 10 : 0, (i > 3) ? z1 : z0
+        n = split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", f, " ")
+        for (i = 1; i <= n; i += 4) print "f", b + f[i], b + f[i + 1], b + f[i + 2], b + f[i + 3]
+        b += 8 }
+    BEGIN { box(0, 4, 0, 10); box(16, 20, 0, 10); box(0, 20, 10, 14) }' >bench.obj
+exits 0 stand bench.obj --no-carve --no-deform --json
+same "$(value support_polygon_mm.1.0)" 20 "on two feet it stands on both"
+run stand bench.obj --no-carve --no-deform --contacts 'x>12.5' --json
+same "$exit $(value support_polygon_mm.0.0) $(value support_polygon_mm.2.0)" "1 16 20" "with --contacts on one of them, and falls"
+run stand bench.obj --no-carve --no-deform --contacts 'x>0.5,x<0.6' --json
+same "$exit" 3 "where nothing can touch the ground it has no stance"
+run stand bench.obj --units cm --no-carve --no-deform --contacts 'x<12.5' --json
+same "$(value support_polygon_mm.1.0)" 40 "numbers of --contacts are in the input's unit"
+
+# Hanging: straight below the point is the centre of mass, which the point is over, or not.
+box block.obj 0 0 0 40 30 20
+exits 0 stand block.obj --suspend 20,15,20 --resolution 32 --no-deform --json
+near "$(value margin_deg)" 0 1e-9 "hung from the middle of its top it hangs as it is"
+same "$(value stances.0.kind) $(value safe) $(value bound_deg)" "hang true null" "and says so"
+exits 1 stand block.obj --suspend 30,15,20 --no-carve --no-deform --json
+near "$(value margin_deg)" -45 1e-9 "hung 10 mm beside it, it turns by 45 degrees"
+
+# Rest: a block on its edge falls onto a side, and a slab put on its narrow side stays there.
+exits 0 stand block.obj --up +x --rest --json
+near "$(value rest.tilt_deg)" 0 1e-9 "a block stays on any side"
+near "$(value rest.margin_deg)" 26.5651 1e-3 "until the ground tilts by atan(10 / 20)"
+exits 0 stand tower.obj --rest --json
+same "$(value rest.turns | awk '{ print ($1 > 0) }')" 1 "the tower falls over"
+run stand tower.obj --rest
+grep -q 'tips over' stdout && grep -q 'until the ground tilts' stdout
+ok $? "which is said: $(head -1 stdout)"
+
+# Several stances at once, from a file; handles from a file.
+cat >stances.json <<'END'
+{"format": "libsf-stance", "version": 1, "stances": [
+    {"kind": "stand", "up": [0, 0, 2], "gamma_deg": 5},
+    {"kind": "hang", "up": [0, 0, 1], "point_mm": [20, 15, 20], "tolerance_deg": 2},
+    {"up": [1, 0, 0], "low_mm": [-1, -1, -1], "high_mm": [1, 100, 100], "contact_mm": 0.1}]}
+END
+exits 0 stand block.obj --stance stances.json --resolution 24 --no-deform --pixels 200,150 -o many --json
+same "$(value stances.0.kind) $(value stances.1.kind) $(value stances.2.kind) $(value stances.2.safe)" "stand hang stand true" "three stances at once"
+near "$(value stances.1.tolerance_deg)" 2 1e-9 "each with its own figures"
+cat >handles.json <<'END'
+{"format": "libsf-handles", "version": 1, "handles": [
+    {"at_mm": [13, 6, 32]},
+    {"kind": "ball", "at_mm": [9, 6, 18], "radius_mm": 2, "locked": true,
+     "pose": {"scale": 1.1, "shift_mm": [-1, 0, 0.5]}}]}
+END
+for build in +z +x; do
+    run stand tower.obj --build $build --handles handles.json --wall 1 --resolution 32 --json
+    same "$(value handles.1.locked) $(value handles.1.pose.shift_mm.0) $(value handles.1.pose.shift_mm.2)" "true -1 0.5" "a locked handle keeps its pose, printed along $build"
+    near "$(value handles.1.pose.scale)" 1.1 1e-12 "and its scale"
+    same "$(value handles.0.pose.shift_mm.0 | awk '{ print ($1 < 0) }')" 1 "the other is moved back over the foot"
+done
+
+# The examples of docs/balance.md, as they stand there.
+awk '/^## / { inside = /sf stand/ } inside && /^```json/ { file = "doc" ++n ".json"; next }
+    /^```/ { file = "" } file != "" { print >file }' "$docs"
+[ -s doc1.json ] && [ -s doc2.json ]
+ok $? "docs/balance.md shows files of stances and handles"
+exits 0 stand tower.obj --stance doc1.json --handles doc2.json --wall 1 --resolution 32 --json
+same "$(value stances.1.kind) $(value safe) $(value handles.1.kind)" "hang true ball" "and they work"
+
+# A density: a heavy foot, and the margin is that of what it weighs.
+cat >density.json <<'END'
+{"format": "libsf-density", "version": 1, "regions": [{"box": {"low": [0, 0, 0], "high": [40, 30, 10]}, "density": 3}]}
+END
+exits 0 stand block.obj --resolution 40 --no-carve --no-deform --density density.json --json
+near "$(value com_mm.2)" 7.5 1e-6 "with a heavy half the centre of mass is lower"
+near "$(value mass)" 48000 1e-3 "and it weighs what its halves do"
+exits 0 stand block.obj --rest --density density.json --json
+near "$(value rest.height_mm)" 7.5 1e-6 "also where it rests"
+
+# Inside out, open.
+awk '/^f/ { print $1, $5, $4, $3, $2; next } { print }' block.obj >inside_out.obj
+exits 0 stand inside_out.obj --resolution 24
+grep -q 'inside out; it was turned' stderr
+ok $? "a mesh that is inside out is turned, with a word"
+sed '$d' block.obj >open.obj
+exits 3 stand open.obj
+grep -q 'open.obj: The mesh is open' stderr
+ok $? "an open mesh is refused: $(cat stderr)"
+
+# What makes no sense.
+for bad in '{' '[]' '{"format": "libsf-stance", "version": 2, "stances": [{}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": []}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"kind": "lie"}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"up": [0, 0, 0]}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"up": [0, 1]}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"gama_deg": 3}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"gamma_deg": 85}]}' \
+    '{"format": "libsf-stance", "version": 1, "stances": [{"gamma_deg": "3"}]}'; do
+    echo "$bad" >bad.json
+    exits 3 stand block.obj --stance bad.json
+done
+for bad in '{"format": "libsf-handles", "version": 1, "handles": [{"kind": "point"}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [1, 2, 3], "kind": "ball"}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [1, 2, 3], "pose": {"scale": 0}}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [100, 2, 3]}]}'; do
+    echo "$bad" >bad.json
+    exits 3 stand block.obj --handles bad.json
+done
+exits 2 stand block.obj --contacts 'w>0'
+exits 2 stand block.obj --contacts 'x>3,x<2'
+exits 2 stand block.obj --suspend 1,2
+exits 2 stand block.obj --gamma 81
+exits 2 stand block.obj --handles auto:64
+exits 2 stand block.obj --carve whole
+exits 2 stand block.obj --mu 0.5
+exits 2 stand block.obj --pitch 1,1,2
+exits 2 stand block.obj --rest -o rest
+exits 2 stand block.obj --stance stances.json --gamma 3
+exits 2 stand block.obj --suspend 1,2,3 --gamma 3
+exits 4 stand block.obj -o nowhere/block
+exits 3 stand missing.obj -o missing
+[ ! -e missing_outer.stl ]
+ok $? "and then nothing is written"
+
+# Any number of threads gives the same bytes.
+for threads in 1 3; do
+    run stand tower.obj --wall 1 --resolution 32 --pixels 200,150 --threads $threads -o t$threads
+done
+cmp -s t1_outer.stl t3_outer.stl && cmp -s t1_inner.stl t3_inner.stl
+ok $? "one and three threads write the same meshes"
+[ ! -e t1.png ] || cmp -s t1.png t3.png
+ok $? "and the same picture"
+
+# Ctrl-C: status 130, and what an earlier run wrote is there still.
+ls -A >names
+$wrapper "$SF" stand tower.obj --wall 1 --resolution 250 -o t1 >stdout 2>stderr &
+pid=$!
+sleep 0.3
+kill -INT $pid
+exit=0
+wait $pid || exit=$?
+same $exit 130 "cancelled"
+cmp -s t1_outer.stl t3_outer.stl && cmp -s t1_inner.stl t3_inner.stl && [ -z "$(ls -A | grep -v -x -F -f names)" ]
+ok $? "a cancelled run leaves all as it was"
 finish
