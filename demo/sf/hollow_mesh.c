@@ -141,7 +141,7 @@ static sf_status fill(const part *p, const cavity *c, sf_grid *wide)
     return status;
 }
 
-exit_status hollow_save_cavity(cli_job *job, const part *p, const cavity *c, const char *path)
+exit_status hollow_cavity_mesh(cli_job *job, const part *p, const cavity *c, sf_mesh **made)
 {
     sf_lattice l = sf_grid_lattice(p->grid), wide_lattice;
     sf_surface_options how = sf_surface_options_default();
@@ -164,9 +164,23 @@ exit_status hollow_save_cavity(cli_job *job, const part *p, const cavity *c, con
     if (status == SF_OK) {
         status = sf_mesh_transform(mesh, &back);
     }
-    exit_status done = status == SF_OK ? output_write_mesh(job, mesh, path) : fail(job, status);
-    sf_mesh_destroy(mesh);
     sf_grid_destroy(wide);
     free(heights);
-    return done;
+    if (status != SF_OK) {
+        sf_mesh_destroy(mesh);
+        return fail(job, status);
+    }
+    *made = mesh;
+    return EXIT_GOOD;
+}
+
+exit_status hollow_save_cavity(cli_job *job, const part *p, const cavity *c, const char *path)
+{
+    sf_mesh *mesh = NULL;
+    exit_status status = hollow_cavity_mesh(job, p, c, &mesh);
+    if (status == EXIT_GOOD) {
+        status = output_write_mesh(job, mesh, path);
+    }
+    sf_mesh_destroy(mesh);
+    return status;
 }

@@ -10,8 +10,9 @@
 // go through the surface, or the input has none that is closed, all of it is the voxels'.
 exit_status hollow_save(cli_job *job, const part *p, const cavity *c, const char *path);
 
-// Write the cavity alone, holes included, as a body that is to be taken from the input. Holes go
-// on beyond the part by a voxel, so that they cut through its surface.
+// Make, or write, the cavity alone, holes included, as a body that is to be taken from the input.
+// Holes go on beyond the part by a voxel, so that they cut through its surface.
+exit_status hollow_cavity_mesh(cli_job *job, const part *p, const cavity *c, sf_mesh **made);
 exit_status hollow_save_cavity(cli_job *job, const part *p, const cavity *c, const char *path);
 
 #endif

@@ -8,14 +8,15 @@
 #include "balance_picture.h"
 #include "output.h"
 #include "progress.h"
+#include "stand_drill.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { OUTER, INNER, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
+enum { OUTER, INNER, CUT, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
 
-static const char *const endings[] = {"_outer.stl", "_inner.stl", ".png", ".json"};
-static const char *const keys[] = {"outer", "inner", "picture", "report"};
+static const char *const endings[] = {"_outer.stl", "_inner.stl", "_cut.stl", ".png", ".json"};
+static const char *const keys[] = {"outer", "inner", "cut", "picture", "report"};
 
 typedef struct file_set {
     char path[FILE_COUNT][PATH_SIZE];
@@ -61,31 +62,50 @@ static exit_status end(cli_job *job, const file_set *files, int which, sf_status
                            : job_fail_call(job, status, NULL, files->path[which], EXIT_RESOURCE);
 }
 
-// A mesh in the axes of the input.
-static exit_status write_mesh(cli_job *job, file_set *files, int which, sf_mesh_view view)
+static exit_status write_mesh(cli_job *job, file_set *files, int which, const sf_mesh *mesh)
+{
+    exit_status status = begin(job, files, which);
+    return status == EXIT_GOOD ? end(job, files, which,
+                                     sf_mesh_write(sf_mesh_get_view(mesh), SF_MESH_FORMAT_STL,
+                                                   sf_save_sink(files->save[which])))
+                               : status;
+}
+
+// A surface in build axes, in those of the input.
+static exit_status write_surface(cli_job *job, file_set *files, int which, sf_mesh_view view)
 {
     sf_mesh *mesh = NULL;
     sf_transform back = part_to_input(job);
-    exit_status begun = begin(job, files, which);
-    if (begun != EXIT_GOOD) {
-        return begun;
+    sf_status made = sf_mesh_create(NULL, &mesh);
+    if (made == SF_OK) {
+        made = sf_mesh_add_vertices(mesh, view.vertices, view.vertex_count);
     }
-    sf_status status = sf_mesh_create(NULL, &mesh);
-    if (status == SF_OK) {
-        status = sf_mesh_add_vertices(mesh, view.vertices, view.vertex_count);
+    if (made == SF_OK) {
+        made = sf_mesh_add_triangles(mesh, view.triangles, view.triangle_count);
     }
-    if (status == SF_OK) {
-        status = sf_mesh_add_triangles(mesh, view.triangles, view.triangle_count);
+    if (made == SF_OK) {
+        made = sf_mesh_transform(mesh, &back);
     }
-    if (status == SF_OK) {
-        status = sf_mesh_transform(mesh, &back);
+    exit_status status =
+        made == SF_OK ? write_mesh(job, files, which, mesh) : end(job, files, which, made);
+    sf_mesh_destroy(mesh);
+    return status;
+}
+
+// Cavity and holes as one body.
+static exit_status write_cut(cli_job *job, file_set *files, const model *m)
+{
+    sf_mesh *mesh = NULL;
+    if (m->drilled.after == NULL ||
+        m->drilled.report.drain_count + m->drilled.report.filled_count == 0) {
+        return EXIT_GOOD;
     }
-    if (status == SF_OK) {
-        status = sf_mesh_write(sf_mesh_get_view(mesh), SF_MESH_FORMAT_STL,
-                               sf_save_sink(files->save[which]));
+    exit_status status = stand_drill_mesh(job, m, &mesh);
+    if (status == EXIT_GOOD) {
+        status = write_mesh(job, files, CUT, mesh);
     }
     sf_mesh_destroy(mesh);
-    return end(job, files, which, status);
+    return status;
 }
 
 static exit_status write_picture(cli_job *job, file_set *files, const model *m)
@@ -119,8 +139,9 @@ static exit_status write_report(cli_job *job, file_set *files)
             report_null(r, keys[i]);
         }
     }
-    report_say(r, "Written to %s_outer.stl%s%s and %s.json.", job->options.output,
+    report_say(r, "Written to %s_outer.stl%s%s%s and %s.json.", job->options.output,
                files->save[INNER] != NULL ? ", _inner.stl" : "",
+               files->save[CUT] != NULL ? ", _cut.stl (cavity and holes, to be taken from it)" : "",
                files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
     return status == EXIT_GOOD
                ? end(job, files, REPORT, report_print_json(r, sf_save_sink(files->save[REPORT])))
@@ -157,10 +178,13 @@ exit_status stand_files_save(cli_job *job, const model *m)
     sf_mesh_view cavity = sf_stand_cavity(m->stand);
     progress_phase("writing");
     if (status == EXIT_GOOD) {
-        status = write_mesh(job, &files, OUTER, sf_stand_outer(m->stand));
+        status = write_surface(job, &files, OUTER, sf_stand_outer(m->stand));
     }
     if (status == EXIT_GOOD && cavity.triangle_count > 0) {
-        status = write_mesh(job, &files, INNER, cavity);
+        status = write_surface(job, &files, INNER, cavity);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_cut(job, &files, m);
     }
     if (status == EXIT_GOOD) {
         status = write_picture(job, &files, m);

@@ -9,8 +9,8 @@
 // Refuse, before any work is done, a prefix under which nothing can be written.
 exit_status stand_files_check(cli_job *job);
 
-// Write PREFIX_outer.stl, PREFIX_inner.stl, PREFIX.png and PREFIX.json, whose report is then
-// complete. None of them changes before all are written aside.
+// Write PREFIX_outer.stl, PREFIX_inner.stl, with holes PREFIX_cut.stl, PREFIX.png and PREFIX.json,
+// whose report is then complete. None of them changes before all are written aside.
 exit_status stand_files_save(cli_job *job, const model *m);
 
 #endif

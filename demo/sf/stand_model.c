@@ -8,8 +8,9 @@
 #include "stand_model.h"
 
 #include "change.h"
+#include "describe.h"
 #include "progress.h"
-#include "turned.h"
+#include "stand_drill.h"
 
 #include <math.h>
 #include <string.h>
@@ -92,6 +93,11 @@ exit_status model_read(cli_job *job, model *m)
     if (status == EXIT_GOOD) {
         m->lattice = sf_grid_lattice(m->part.grid);
         status = densities_read(job, &m->part, &m->densities);
+    }
+    if (status == EXIT_GOOD && m->densities.each != NULL && job->options.drain_mm > 0) {
+        return job_fail(job, EXIT_USAGE,
+                        "Holes are weighed with one density: leave out --drain, or give --density "
+                        "as a number.");
     }
     if (status == EXIT_GOOD && sf_mesh_bounds(sf_mesh_get_view(m->part.mesh), low, high) == SF_OK) {
         for (int i = 0; i < 3; i++) {
@@ -182,42 +188,50 @@ static exit_status prepare(cli_job *job, model *m)
 static void say_round(const model *m)
 {
     const sf_stand_report *r = &m->report;
-    progress_line("round %2u: margin %7.2f degrees, %.4g mm3 carved, moved by %.4g mm", r->rounds,
-                  r->margin_rad * DEGREES, r->carved_mm3, r->displacement_mm);
+    char volume[DESCRIBE_MM3_SIZE];
+    progress_line("round %2u: margin %7.2f degrees, %s carved out, bent by %.1f %% of its size",
+                  r->rounds, r->margin_rad * DEGREES, describe_mm3(r->carved_mm3, volume),
+                  100 * r->displacement_mm / m->size_mm);
+}
+
+// Solid as the rounds see it: by winding, where the shape runs into itself.
+static sf_status make_cavity(cli_job *job, model *m, const sf_grid *carved)
+{
+    sf_lattice lattice = sf_grid_lattice(carved);
+    sf_voxelize_options how = sf_voxelize_options_default();
+    how.fill = SF_FILL_WINDING;
+    sf_status status = sf_grid_create(&lattice, NULL, &m->solid);
+    if (status == SF_OK) {
+        status = sf_grid_create(&lattice, NULL, &m->cavity);
+    }
+    if (status == SF_OK) {
+        status = sf_grid_voxelize(m->solid, sf_stand_outer(m->stand), &how, NULL, &job->task, NULL);
+    }
+    for (uint32_t k = 0; status == SF_OK && k < lattice.nz; k++) {
+        status = sf_slice_subtract(sf_grid_slice(m->cavity, k), sf_grid_slice(m->solid, k),
+                                   sf_grid_slice(carved, k));
+    }
+    return status;
 }
 
 // How near the cavity comes to the outside, as they are now.
 static sf_status measure_wall(cli_job *job, model *m)
 {
     const sf_grid *carved = sf_stand_grid(m->stand);
-    if (carved == NULL || !(m->report.carved_mm3 > 0)) {
+    if (carved == NULL || sf_stand_cavity(m->stand).triangle_count == 0) {
         return SF_OK;
     }
-    sf_lattice lattice = sf_grid_lattice(carved);
-    sf_mesh_view outer = sf_stand_outer(m->stand);
-    sf_voxelize_options how = sf_voxelize_options_default();
-    sf_grid *cavity = NULL;
-    how.fill = SF_FILL_WINDING; // as the rounds do, where the shape runs into itself
-    sf_status status = sf_grid_create(&lattice, NULL, &cavity);
-    if (status == SF_OK) {
-        status = sf_grid_voxelize(cavity, outer, &how, NULL, &job->task, NULL);
-    }
-    for (uint32_t k = 0; status == SF_OK && k < lattice.nz; k++) {
-        sf_slice slice = sf_grid_slice(cavity, k);
-        status = sf_slice_subtract(slice, slice, sf_grid_slice(carved, k));
-    }
-    if (status == SF_OK) {
-        status = sf_grid_clearance(cavity, outer, NULL, &job->task, &m->wall_min_mm);
-    }
-    sf_grid_destroy(cavity);
-    return status;
+    sf_status status = make_cavity(job, m, carved);
+    return status == SF_OK ? sf_grid_clearance(m->cavity, sf_stand_outer(m->stand), NULL,
+                                               &job->task, &m->wall_min_mm)
+                           : status;
 }
 
 static exit_status go(cli_job *job, model *m)
 {
     m->report = sf_stand_describe(m->stand);
     sf_status status = SF_OK;
-    progress_line("at first: margin %6.2f degrees", m->report.margin_rad * DEGREES);
+    progress_line("at first: margin %7.2f degrees", m->report.margin_rad * DEGREES);
     while (status == SF_OK && !m->report.ended) {
         progress_phase("balancing");
         status = sf_stand_round(m->stand, &job->task, &m->report);
@@ -246,17 +260,24 @@ exit_status model_run(cli_job *job, model *m)
         progress_phase("preparing");
         status = prepare(job, m);
     }
-    return status == EXIT_GOOD ? go(job, m) : status;
+    if (status == EXIT_GOOD) {
+        status = go(job, m);
+    }
+    return status == EXIT_GOOD && job->options.drain_mm > 0 ? stand_drill(job, m) : status;
 }
 
 int model_holds(const model *m)
 {
-    return m->report.safe;
+    return m->report.safe &&
+           (m->drilled.after == NULL || (m->drilled.safe && m->drilled.report.closed_count == 0));
 }
 
 void model_release(model *m)
 {
     sf_stand_destroy(m->stand);
+    sf_grid_destroy(m->solid);
+    sf_grid_destroy(m->cavity);
+    sf_grid_destroy(m->drilled.after);
     densities_release(&m->densities);
     part_release(&m->part);
     memset(m, 0, sizeof *m);

@@ -9,6 +9,18 @@
 
 #include <sf/stand.h>
 
+enum { DRAINS_MAX = 256 };
+
+// Holes, so that what is in the cavity can leave.
+typedef struct drilled {
+    sf_drain_report report;
+    sf_drain drains[DRAINS_MAX];
+    sf_grid *after;    // the carved shape with its holes
+    double com_mm[3];  // with them
+    double margin_rad; // the least over all stances
+    int safe;          // in every stance
+} drilled;
+
 typedef struct model {
     part part; // in build axes, closed and turned outwards, with voxels
     axis up;   // of the input, against gravity
@@ -19,8 +31,10 @@ typedef struct model {
     sf_stand_options options;
     sf_stand *stand;
     sf_stand_report report;
-    double size_mm;     // longest side
-    double wall_min_mm; // measured; infinite where nothing is carved
+    sf_grid *solid, *cavity; // voxels of the shape as it came out; NULL where nothing is carved
+    double size_mm;          // longest side
+    double wall_min_mm;      // measured; infinite where nothing is carved
+    drilled drilled;         // all zero without --drain
 } model;
 
 // Read the mesh, and refuse one that is open; one that is inside out is turned. With voxels, and

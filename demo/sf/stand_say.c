@@ -5,6 +5,7 @@
 #include "stand_say.h"
 
 #include "describe.h"
+#include "stand_drill.h"
 #include "turned.h"
 
 #include <math.h>
@@ -288,5 +289,6 @@ void stand_report(cli_job *job, const model *m)
         say_stances(job, m);
     }
     say_price(job, m);
+    stand_drill_report(job, m);
     warn(job, m);
 }

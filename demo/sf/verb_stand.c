@@ -39,8 +39,8 @@ static exit_status check(cli_job *job)
     } else if ((given & OPTION_NO_DEFORM) &&
                (given & (OPTION_HANDLES | OPTION_SOLVER | OPTION_MU | OPTION_NO_LAPLACIAN))) {
         why = "--no-deform bends nothing: leave out --handles, --solver, --mu and --no-laplacian.";
-    } else if ((given & OPTION_NO_CARVE) && (given & (OPTION_CARVE | OPTION_WALL))) {
-        why = "--no-carve leaves the inside solid: leave out --carve and --wall.";
+    } else if ((given & OPTION_NO_CARVE) && (given & (OPTION_CARVE | OPTION_WALL | OPTION_DRAIN))) {
+        why = "--no-carve leaves the inside solid: leave out --carve, --wall and --drain.";
     } else if ((given & OPTION_MU) && job->options.stand.solver != SF_STAND_DESCENT) {
         why = "--mu is the paper's: say --solver paper as well.";
     } else if ((given & OPTION_REST) && (given & OPTION_OUTPUT)) {

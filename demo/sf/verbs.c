@@ -15,10 +15,11 @@
      OPTION_CERTIFICATE)
 #define STAND_OPTIONS                                                                              \
     (OPTION_OUTPUT | OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE |  \
-     OPTION_SIZE | OPTION_ANGLE | OPTION_RULE | OPTION_MEMORY | OPTION_WALL | OPTION_MIN_FEATURE | \
-     OPTION_DENSITY | OPTION_PIXELS | OPTION_BUILD | OPTION_GAMMA | OPTION_CONTACTS |              \
-     OPTION_HANDLES | OPTION_SUSPEND | OPTION_STANCE | OPTION_CARVE | OPTION_SOLVER | OPTION_MU |  \
-     OPTION_NO_CARVE | OPTION_NO_DEFORM | OPTION_NO_LAPLACIAN | OPTION_REST)
+     OPTION_SIZE | OPTION_ANGLE | OPTION_RULE | OPTION_MEMORY | OPTION_WALL | OPTION_DRAIN |       \
+     OPTION_MIN_FEATURE | OPTION_DENSITY | OPTION_PIXELS | OPTION_BUILD | OPTION_GAMMA |           \
+     OPTION_CONTACTS | OPTION_HANDLES | OPTION_SUSPEND | OPTION_STANCE | OPTION_CARVE |            \
+     OPTION_SOLVER | OPTION_MU | OPTION_NO_CARVE | OPTION_NO_DEFORM | OPTION_NO_LAPLACIAN |        \
+     OPTION_REST)
 #define CHANGE_OUTPUT "a mesh (.stl .obj .ply), or a folder for layers"
 
 const verb_entry verbs_table[] = {
@@ -78,7 +79,7 @@ const verb_entry verbs_table[] = {
       STAND_OPTIONS | HOST_OPTIONS,
       "  sf stand part.stl --up +z -o standing\n"
       "  sf stand part.stl --up +x --build +z --gamma 6 --wall 2 -o standing\n"
-      "  sf stand part.stl --carve paper --no-deform\n"
+      "  sf stand part.stl --carve paper --no-deform --drain 3\n"
       "  sf stand part.stl --suspend 0,0,9\n"
       "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
       "  sf stand part.stl --up -y --rest\n",

@@ -124,6 +124,18 @@ run stand tower.obj --wall 1 --resolution 32 --solver paper --mu 0.2
 [ "$exit" -le 1 ] && grep -q 'rounds' stdout
 ok $? "the paper's solver runs ($exit)"
 
+# Holes: what is taken from the outside is the cavity and its holes, and it stands with them.
+exits 0 stand tower.obj --wall 1 --resolution 40 --drain 2 --pixels 200,150 -o drained --json
+same "$(value drained.closed) $(value drained.safe)" "0 true" "with holes nothing is shut in, and it stands"
+[ "$(value drained.open)" -ge 1 ]
+ok $? "there is one ($(value drained.open))"
+awk -v c="$(value carved_mm3)" -v h="$(value drained.volume_mm3)" 'BEGIN { exit !(c > 0 && h > 0 && h < c) }'
+ok $? "of $(value drained.volume_mm3) mm3"
+carved=$(value carved_mm3) hole=$(value drained.volume_mm3) filled=$(value drained.filled)
+exits 0 info drained_cut.stl --json
+awk -v v="$(value volume_mm3)" -v c="$carved" -v h="$hole" -v f="$filled" 'BEGIN { exit !((v >= c + h - 1e-3 || f > 0) && v < 1.1 * (c + h)) }'
+ok $? "the body to be taken away is as large, and goes on ($(value volume_mm3), $carved, $hole)"
+
 # Contacts: on one of two feet. A bench whose feet stand at x = 0..4 and 16..20.
 awk 'BEGIN { b = 0; print "# bench" }
     function box(x0, x1, z0, z1, i) {
