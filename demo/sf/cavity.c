@@ -200,7 +200,9 @@ static exit_status measure(cli_job *job, const part *p, const densities *d, cavi
     progress_phase("measuring what is left");
     c->carved_voxels = sf_grid_popcount(c->carved);
     c->carved_mm3 = describe_volume(c->carved);
-    c->kept_mm3 = describe_volume(p->grid) - describe_volume(c->wall) - c->carved_mm3;
+    double solid = describe_volume(p->grid),
+           kept = solid - describe_volume(c->wall) - c->carved_mm3;
+    c->kept_mm3 = kept > 1e-9 * solid ? kept : 0; // the rest is rounding
     c->wall_min_mm = INFINITY;
     if (status == SF_OK && c->carved_voxels > 0) {
         status = c->is_closed ? sf_grid_clearance(c->carved, sf_mesh_get_view(p->mesh), NULL,
