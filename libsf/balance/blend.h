@@ -4,7 +4,7 @@
 #ifndef SF_BALANCE_BLEND_H
 #define SF_BALANCE_BLEND_H
 
-#include <sf/handles.h>
+#include <sf/blend.h>
 
 // What a pose does to a point: p -> matrix p + shift, row after row.
 typedef struct sfi_map {

@@ -8,6 +8,7 @@
 #include "balance/sqp.h"
 #include "balance/stand_surface.h"
 
+#include <sf/blend.h>
 #include <sf/stand.h>
 
 // A carving of the shape as it is bent at the time.

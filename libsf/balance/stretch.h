@@ -4,7 +4,7 @@
 #ifndef SF_BALANCE_STRETCH_H
 #define SF_BALANCE_STRETCH_H
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 // The derivatives of the basis' functions by x, y, z at each place: 12 numbers a handle.
 typedef struct sfi_stretch {

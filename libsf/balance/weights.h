@@ -6,7 +6,7 @@
 
 #include "balance/weights_domain.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 struct sf_weights {
     sf_allocator allocator;

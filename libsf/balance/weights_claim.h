@@ -6,7 +6,7 @@
 
 #include "balance/poisson.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 // Nobody holds this node; it belongs to a piece without a handle.
 #define SFI_NODE_FREE UINT8_MAX

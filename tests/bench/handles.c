@@ -6,7 +6,7 @@
 #include "bench.h"
 #include "scenes.h"
 
-#include <sf/handles.h>
+#include <sf/blend.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 
 #include <sf/base.h>
 #include <sf/bend.h>
+#include <sf/blend.h>
 #include <sf/body.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
@@ -22,5 +23,6 @@
 #include <sf/stand.h>
 #include <sf/support.h>
 #include <sf/voxel.h>
+#include <sf/weights.h>
 
 #endif

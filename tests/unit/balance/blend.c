@@ -7,7 +7,7 @@
 #include "failing_allocator.h"
 #include "test.h"
 
-#include <sf/handles.h>
+#include <sf/blend.h>
 
 enum { POINTS = 10000, HANDLES = 5 };
 

@@ -9,7 +9,7 @@
 #include "balance/handles_depth.h"
 #include "base/memory.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 static const double heights[] = {1, 1.25, 0.75, 1, 1, 1.25, 1, 1};
 

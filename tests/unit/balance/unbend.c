@@ -7,7 +7,7 @@
 #include "failing_allocator.h"
 #include "solid.h"
 
-#include <sf/handles.h>
+#include <sf/blend.h>
 
 enum { COUNT = 5, POINTS = 5000 };
 

@@ -5,7 +5,7 @@
 
 #include "solid.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 enum { HANDLES_MAX = 4 };
 

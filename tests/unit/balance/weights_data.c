@@ -6,7 +6,7 @@
 
 #include "truth/data_file.h"
 
-#include <sf/handles.h>
+#include <sf/blend.h>
 
 #include <time.h>
 

@@ -7,7 +7,7 @@
 #include "failing_allocator.h"
 #include "solid.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 enum { COUNT = 6 };
 

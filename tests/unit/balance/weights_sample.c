@@ -8,7 +8,7 @@
 #include "balance/weights_domain.h"
 #include "base/memory.h"
 
-#include <sf/handles.h>
+#include <sf/weights.h>
 
 enum { COUNT = 3 };
 
