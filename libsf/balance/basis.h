@@ -10,32 +10,26 @@
 //     phi = w_j (p - c_j)_x,  w_j (p - c_j)_y,  w_j (p - c_j)_z,  w_j,
 //
 // whose coefficients are points in space: the columns of A_j, then c_j + t_j. So v = sum phi_b y_b
-// is linear in y, whatever turns; what depends on the shape is computed once, in terms of y.
+// is linear in y, whatever turns; what depends on the shape is computed once, in terms of y. The
+// points, their weights and the centres are an sf_blend.
 
 #ifndef SF_BALANCE_BASIS_H
 #define SF_BALANCE_BASIS_H
 
-#include <stddef.h>
-
-typedef struct sfi_basis {
-    const double *rest;    // x, y, z of each point before bending
-    const double *weights; // handle_count of each point, which sum to 1
-    const double *centres; // x, y, z of each handle
-    size_t count, handle_count;
-} sfi_basis;
+#include <sf/blend.h>
 
 // Number of functions.
-static inline size_t sfi_basis_size(const sfi_basis *basis)
+static inline size_t sfi_basis_size(const sf_blend *basis)
 {
     return 4 * basis->handle_count;
 }
 
 // Their values at point i.
-static inline void sfi_basis_at(const sfi_basis *basis, size_t i, double *phi)
+static inline void sfi_basis_at(const sf_blend *basis, size_t i, double *phi)
 {
-    const double *p = basis->rest + 3 * i, *w = basis->weights + i * basis->handle_count;
+    const double *p = basis->rest_mm + 3 * i, *w = basis->weights + i * basis->handle_count;
     for (size_t j = 0; j < basis->handle_count; j++) {
-        const double *c = basis->centres + 3 * j;
+        const double *c = basis->centers_mm + 3 * j;
         phi[4 * j] = w[j] * (p[0] - c[0]);
         phi[4 * j + 1] = w[j] * (p[1] - c[1]);
         phi[4 * j + 2] = w[j] * (p[2] - c[2]);

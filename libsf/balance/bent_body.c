@@ -26,7 +26,7 @@ typedef struct work {
     const double *bent;
     const uint32_t *triangles;
     const sfi_incidence *incidence;
-    const sfi_basis *basis;
+    const sf_blend *basis;
     const double *middle;
     double *sums;      // of each stretch: 4 values, 12 numbers a function, phi
     size_t sums_count; // of one stretch
@@ -35,7 +35,7 @@ typedef struct work {
 static void run_stretch(void *context, size_t index)
 {
     work *w = context;
-    size_t count = w->basis->count, functions = sfi_basis_size(w->basis);
+    size_t count = w->basis->point_count, functions = sfi_basis_size(w->basis);
     double *values = w->sums + index * w->sums_count, *gradient = values + 4,
            *phi = gradient + 12 * functions;
     memset(values, 0, w->sums_count * sizeof *values);
@@ -79,7 +79,7 @@ static void gather(const work *w, sf_body *body, double *gradient)
 }
 
 sf_status sfi_bent_body(const double *bent, const uint32_t *triangles,
-                        const sfi_incidence *incidence, const sfi_basis *basis,
+                        const sfi_incidence *incidence, const sf_blend *basis,
                         const double middle[3], const sf_allocator *allocator, sf_task *task,
                         sf_body *body, double *gradient)
 {

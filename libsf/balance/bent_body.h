@@ -15,7 +15,7 @@
 // vertices. Moments are summed about `middle`, which should lie near the mesh, and given about the
 // origin. SF_ERR_MEMORY leaves both as they were.
 sf_status sfi_bent_body(const double *bent, const uint32_t *triangles,
-                        const sfi_incidence *incidence, const sfi_basis *basis,
+                        const sfi_incidence *incidence, const sf_blend *basis,
                         const double middle[3], const sf_allocator *allocator, sf_task *task,
                         sf_body *body, double *gradient);
 

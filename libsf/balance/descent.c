@@ -17,6 +17,7 @@
 #include "balance/descent.h"
 
 #include "balance/quadratic.h"
+#include "balance/stance.h"
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
@@ -52,13 +53,6 @@ sfi_descent sfi_descent_begin(double mu)
     return made;
 }
 
-static double *cut(double **at, size_t count)
-{
-    double *piece = *at;
-    *at += count;
-    return piece;
-}
-
 static sf_status make_run(run *r)
 {
     size_t handles = r->posture->energy->handle_count;
@@ -74,12 +68,12 @@ static sf_status make_run(run *r)
         return SF_ERR_MEMORY;
     }
     double *at = r->memory;
-    r->gradient = cut(&at, r->all);
-    r->change = cut(&at, r->all);
-    r->vector = cut(&at, r->all);
-    r->image = cut(&at, r->all);
-    r->lever = cut(&at, r->all);
-    r->by_coefficients = cut(&at, 12 * handles);
+    r->gradient = sfi_cut(&at, r->all);
+    r->change = sfi_cut(&at, r->all);
+    r->vector = sfi_cut(&at, r->all);
+    r->image = sfi_cut(&at, r->all);
+    r->lever = sfi_cut(&at, r->all);
+    r->by_coefficients = sfi_cut(&at, 12 * handles);
     r->hessian = at;
     return SF_OK;
 }
@@ -89,19 +83,6 @@ static void free_run(run *r)
     sfi_posture_scratch_free(&r->scratch);
     sfi_free_array(&r->allocator, r->memory, r->memory_count, sizeof *r->memory);
     sfi_free_array(&r->allocator, r->tried, r->posture->energy->handle_count, sizeof *r->tried);
-}
-
-// Two axes across `up`.
-static void find_axes(const double up[3], double axes[2][3])
-{
-    double pole[3] = {0, 0, 0}, length;
-    pole[fabs(up[0]) < 0.6 ? 0 : 1] = 1;
-    sfi_cross(up, pole, axes[0]);
-    length = sqrt(sfi_dot(axes[0], axes[0]));
-    for (int d = 0; d < 3; d++) {
-        axes[0][d] /= length;
-    }
-    sfi_cross(up, axes[0], axes[1]);
 }
 
 // How far c must move along the two axes into the safe region at its height; 0 where it is inside,
@@ -177,7 +158,7 @@ static sf_status sum_up(run *r, const sfi_posture_state *state, double mu, const
     }
     for (size_t k = 0; k < r->posture->standing_count; k++) {
         double axes[2][3], way[2];
-        find_axes(r->posture->standings[k].up, axes);
+        sfi_frame_around(r->posture->standings[k].up, axes[0], axes[1]);
         SF_TRY(find_way(r, &r->posture->standings[k], com, axes, way));
         for (int a = 0; a < 2; a++) {
             *value += 0.5 * (1 - mu) * (way[a] / size) * (way[a] / size);
@@ -250,7 +231,7 @@ static sf_status go(run *r, sf_task *task, sfi_descent *d, sf_pose *poses, sfi_p
     }
     memcpy(r->tried, poses, handles * sizeof *poses);
     for (size_t j = 0; j < handles; j++) {
-        sfi_pose_move(&r->tried[j], r->change + SFI_POSE_SIZE * j);
+        SF_TRY(sfi_pose_move(&r->tried[j], r->change + SFI_POSE_SIZE * j));
     }
     SF_TRY(sfi_posture_look(r->posture, r->tried, task, &r->scratch, &found));
     SF_TRY(sum_up(r, &found, d->mu, r->tried, 0, &after));

@@ -22,12 +22,12 @@
 #include <string.h>
 
 // form = sum over the points of phi phi^T, for each coordinate, over count * size^2.
-static void form_shifts(const sfi_basis *basis, double size_mm, double *phi, double *form)
+static void form_shifts(const sf_blend *basis, double size_mm, double *phi, double *form)
 {
     size_t functions = sfi_basis_size(basis), rows = 3 * functions;
-    double share = 1 / ((double)basis->count * size_mm * size_mm);
+    double share = 1 / ((double)basis->point_count * size_mm * size_mm);
     memset(form, 0, rows * rows * sizeof *form);
-    for (size_t v = 0; v < basis->count; v++) {
+    for (size_t v = 0; v < basis->point_count; v++) {
         sfi_basis_at(basis, v, phi);
         for (size_t a = 0; a < functions; a++) {
             for (size_t b = 0; b < functions; b++) {
@@ -60,15 +60,15 @@ static sf_status take_memory(size_t handle_count, sfi_energy *made)
     return all ? SF_OK : SF_ERR_MEMORY;
 }
 
-static void rest_coefficients(const sfi_basis *basis, double *rest)
+static void rest_coefficients(const sf_blend *basis, double *rest)
 {
-    const sf_pose at_rest = {1, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    const sf_pose at_rest = sf_pose_identity();
     for (size_t j = 0; j < basis->handle_count; j++) {
-        sfi_pose_coefficients(&at_rest, basis->centres + 3 * j, 1, rest + 12 * j);
+        sfi_pose_coefficients(&at_rest, basis->centers_mm + 3 * j, 1, rest + 12 * j);
     }
 }
 
-static sf_status fill(sf_mesh_view mesh, const sfi_incidence *incidence, const sfi_basis *basis,
+static sf_status fill(sf_mesh_view mesh, const sfi_incidence *incidence, const sf_blend *basis,
                       double size_mm, sf_task *task, sfi_energy *made)
 {
     size_t square = 144 * basis->handle_count * basis->handle_count;
@@ -82,12 +82,12 @@ static sf_status fill(sf_mesh_view mesh, const sfi_incidence *incidence, const s
         made->curvature[i] =
             2 * (made->weights[0] * made->details[i] + made->weights[1] * made->shifts[i]);
     }
-    memcpy(made->centres, basis->centres, 3 * basis->handle_count * sizeof *made->centres);
+    memcpy(made->centres, basis->centers_mm, 3 * basis->handle_count * sizeof *made->centres);
     rest_coefficients(basis, made->rest);
     return SF_OK;
 }
 
-sf_status sfi_energy_make(sf_mesh_view mesh, const sfi_incidence *incidence, const sfi_basis *basis,
+sf_status sfi_energy_make(sf_mesh_view mesh, const sfi_incidence *incidence, const sf_blend *basis,
                           double size_mm, const double weights[3], const sf_allocator *allocator,
                           sf_task *task, sfi_energy *energy)
 {

@@ -22,7 +22,7 @@ typedef struct sfi_energy {
 } sfi_energy;
 
 // For a mesh whose vertices are the basis' points. `size_mm` is what shifts are measured by.
-sf_status sfi_energy_make(sf_mesh_view mesh, const sfi_incidence *incidence, const sfi_basis *basis,
+sf_status sfi_energy_make(sf_mesh_view mesh, const sfi_incidence *incidence, const sf_blend *basis,
                           double size_mm, const double weights[3], const sf_allocator *allocator,
                           sf_task *task, sfi_energy *energy);
 

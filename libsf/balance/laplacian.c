@@ -56,7 +56,7 @@ typedef struct ring {
 typedef struct work {
     sf_mesh_view mesh;
     const sfi_incidence *incidence;
-    const sfi_basis *basis;
+    const sf_blend *basis;
     size_t size;     // 3 * functions
     double *forms;   // of each stretch
     double *scratch; // of each stretch: phi, lambda and pi, then a block of rows
@@ -251,7 +251,7 @@ static int take_memory(work *w, const sf_allocator *allocator)
 }
 
 sf_status sfi_laplacian_form(sf_mesh_view mesh, const sfi_incidence *incidence,
-                             const sfi_basis *basis, const sf_allocator *allocator, sf_task *task,
+                             const sf_blend *basis, const sf_allocator *allocator, sf_task *task,
                              double *form, double *norm)
 {
     work w;

@@ -12,7 +12,7 @@
 // receives the sum of |d_i|^2, by which it is to be divided. The basis' points are the mesh's
 // vertices. SF_ERR_MEMORY, SF_ERR_OVERFLOW or SF_ERR_CANCELLED leave both as they were.
 sf_status sfi_laplacian_form(sf_mesh_view mesh, const sfi_incidence *incidence,
-                             const sfi_basis *basis, const sf_allocator *allocator, sf_task *task,
+                             const sf_blend *basis, const sf_allocator *allocator, sf_task *task,
                              double *form, double *norm);
 
 #endif

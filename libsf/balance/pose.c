@@ -4,9 +4,6 @@
 // A pose scales by s, turns by R and shifts by t: the coefficients of a handle's four functions
 // (balance/basis.h) are the columns of s R, then c + t. Their derivatives are R e_q by the scale,
 // the identity by the shift, and e_a x (s R e_q) by a turn about axis a beyond R.
-//
-// A turn by the vector w is the rotation of the quaternion (1, w / 2), made to length 1: to second
-// order the turn by |w| about w, and a rotation to rounding, from products and one root.
 
 #include "balance/pose.h"
 
@@ -105,35 +102,12 @@ void sfi_pose_pull_form(const sf_pose *poses, size_t handle_count, const double 
     }
 }
 
-// rotation = the turn by the vector w.
-static void make_turn(const double w[3], double rotation[9])
+sf_status sfi_pose_move(sf_pose *pose, const double by[SFI_POSE_SIZE])
 {
-    double length = sqrt(1 + 0.25 * sfi_dot(w, w));
-    double r = 1 / length, x = 0.5 * w[0] / length, y = 0.5 * w[1] / length,
-           z = 0.5 * w[2] / length;
-    rotation[0] = 1 - 2 * (y * y + z * z);
-    rotation[1] = 2 * (x * y - r * z);
-    rotation[2] = 2 * (x * z + r * y);
-    rotation[3] = 2 * (x * y + r * z);
-    rotation[4] = 1 - 2 * (x * x + z * z);
-    rotation[5] = 2 * (y * z - r * x);
-    rotation[6] = 2 * (x * z - r * y);
-    rotation[7] = 2 * (y * z + r * x);
-    rotation[8] = 1 - 2 * (x * x + y * y);
-}
-
-void sfi_pose_move(sf_pose *pose, const double by[SFI_POSE_SIZE])
-{
-    double turn[9], turned[9];
-    pose->scale += by[SFI_POSE_SCALE];
+    sf_pose_change change = {.scale = by[SFI_POSE_SCALE]};
     for (size_t d = 0; d < 3; d++) {
-        pose->shift_mm[d] += by[SFI_POSE_SHIFT + d];
+        change.shift_mm[d] = by[SFI_POSE_SHIFT + d];
+        change.spin_rad[d] = by[SFI_POSE_TURN + d];
     }
-    make_turn(by + SFI_POSE_TURN, turn);
-    for (size_t i = 0; i < 9; i++) {
-        turned[i] = turn[i / 3 * 3] * pose->turn[i % 3] +
-                    turn[i / 3 * 3 + 1] * pose->turn[3 + i % 3] +
-                    turn[i / 3 * 3 + 2] * pose->turn[6 + i % 3];
-    }
-    memcpy(pose->turn, turned, sizeof turned);
+    return sf_pose_move(pose, &change);
 }

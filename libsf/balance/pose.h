@@ -24,7 +24,7 @@ void sfi_pose_pull(const sf_pose *poses, size_t handle_count, const double *by_c
 void sfi_pose_pull_form(const sf_pose *poses, size_t handle_count, const double *by_coefficients,
                         double *by_parameters);
 
-// Change the parameters of one handle; the turn stays a turn.
-void sfi_pose_move(sf_pose *pose, const double by[SFI_POSE_SIZE]);
+// sf_pose_move() by numbers.
+sf_status sfi_pose_move(sf_pose *pose, const double by[SFI_POSE_SIZE]);
 
 #endif

@@ -24,6 +24,7 @@
 #include "balance/posture.h"
 
 #include "balance/bent_body.h"
+#include "balance/stance.h"
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
@@ -42,13 +43,6 @@ enum { CRUSHED_ROWS = 48 };
 #define NO_VERTEX UINT32_MAX
 
 // --- Memory --------------------------------------------------------------------------------------
-
-static double *cut(double **at, size_t count)
-{
-    double *piece = *at;
-    *at += count;
-    return piece;
-}
 
 static sf_status take_numbers(const sfi_posture *posture, sfi_posture_scratch *made)
 {
@@ -69,13 +63,13 @@ static sf_status take_numbers(const sfi_posture *posture, sfi_posture_scratch *m
         return SF_ERR_MEMORY;
     }
     double *at = made->memory;
-    made->by_body = cut(&at, 48 * handles);
-    made->by_skin = cut(&at, 48 * handles);
-    made->coefficients = cut(&at, 12 * handles);
-    made->energy = cut(&at, sfi_energy_scratch(handles));
-    made->functions = cut(&at, 4 * handles);
-    made->rows.values = cut(&at, made->row_capacity);
-    made->growth = cut(&at, made->place_count);
+    made->by_body = sfi_cut(&at, 48 * handles);
+    made->by_skin = sfi_cut(&at, 48 * handles);
+    made->coefficients = sfi_cut(&at, 12 * handles);
+    made->energy = sfi_cut(&at, sfi_energy_scratch(handles));
+    made->functions = sfi_cut(&at, 4 * handles);
+    made->rows.values = sfi_cut(&at, made->row_capacity);
+    made->growth = sfi_cut(&at, made->place_count);
     made->rows.gradients = at;
     return SF_OK;
 }
@@ -88,7 +82,7 @@ sf_status sfi_posture_scratch_make(const sfi_posture *posture, const sf_allocato
     made.allocator = *allocator;
     sf_status status = take_numbers(posture, &made);
     for (size_t s = 0; s < posture->skin_count && status == SF_OK; s++) {
-        made.vertex_counts[s] = posture->skins[s].basis.count;
+        made.vertex_counts[s] = posture->skins[s].basis.point_count;
         made.bent[s] = sfi_alloc_array(allocator, made.vertex_counts[s], 3 * sizeof(double));
         status = made.bent[s] == NULL ? SF_ERR_MEMORY : SF_OK;
     }
@@ -113,24 +107,6 @@ void sfi_posture_scratch_free(sfi_posture_scratch *scratch)
 
 // --- Bending and weighing ------------------------------------------------------------------------
 
-// The points of a skin where the coefficients put them.
-static void bend(const sfi_basis *basis, const double *coefficients, double *bent)
-{
-    for (size_t v = 0; v < basis->count; v++) {
-        const double *p = basis->rest + 3 * v, *w = basis->weights + v * basis->handle_count;
-        double to[3] = {0, 0, 0};
-        for (size_t j = 0; j < basis->handle_count; j++) {
-            const double *c = basis->centres + 3 * j, *y = coefficients + 12 * j;
-            double x[3];
-            sfi_subtract(p, c, x);
-            for (int d = 0; d < 3; d++) {
-                to[d] += w[j] * (x[0] * y[d] + x[1] * y[3 + d] + x[2] * y[6 + d] + y[9 + d]);
-            }
-        }
-        memcpy(bent + 3 * v, to, sizeof to);
-    }
-}
-
 static void add_loose(const sfi_posture *posture, sfi_posture_scratch *scratch, sf_body *body)
 {
     size_t functions = 4 * posture->energy->handle_count;
@@ -143,8 +119,8 @@ static void add_loose(const sfi_posture *posture, sfi_posture_scratch *scratch, 
     }
 }
 
-static sf_status weigh(const sfi_posture *posture, sf_task *task, sfi_posture_scratch *scratch,
-                       sf_body *body)
+static sf_status weigh(const sfi_posture *posture, const sf_pose *poses, sf_task *task,
+                       sfi_posture_scratch *scratch, sf_body *body)
 {
     size_t numbers = 48 * posture->energy->handle_count;
     sf_body sum = {0, {0, 0, 0}};
@@ -152,7 +128,7 @@ static sf_status weigh(const sfi_posture *posture, sf_task *task, sfi_posture_sc
     for (size_t s = 0; s < posture->skin_count; s++) {
         const sfi_skin *skin = &posture->skins[s];
         sf_body one;
-        bend(&skin->basis, scratch->coefficients, scratch->bent[s]);
+        SF_TRY(sf_blend_apply(skin->basis, poses, task, scratch->bent[s]));
         SF_TRY(sfi_bent_body(scratch->bent[s], skin->triangles, skin->incidence, &skin->basis,
                              scratch->bent[s], &scratch->allocator, task, &one, scratch->by_skin));
         sum = sf_body_add(sum, 1, one);
@@ -202,19 +178,6 @@ static void add_low(const sfi_posture *posture, const sfi_standing *ground, uint
     }
 }
 
-// Two axes of a plane, at right angles.
-static void find_axes(const double up[3], double first[3], double second[3])
-{
-    double pole[3] = {0, 0, 0}, length;
-    pole[fabs(up[0]) < 0.6 ? 0 : 1] = 1;
-    sfi_cross(up, pole, first);
-    length = sqrt(sfi_dot(first, first));
-    for (int d = 0; d < 3; d++) {
-        first[d] /= length;
-    }
-    sfi_cross(up, first, second);
-}
-
 static size_t cell_along(double at)
 {
     double cell = floor((at + 1) * (CELLS / 2));
@@ -236,11 +199,11 @@ static void add_ground(const sfi_posture *posture, size_t g, sfi_posture_scratch
     const sfi_standing *ground = &posture->standings[g];
     const double *bent = scratch->bent[0];
     double first[3], second[3], from[3];
-    find_axes(ground->up, first, second);
+    sfi_frame_around(ground->up, first, second);
     for (size_t i = 0; i < CELLS * CELLS; i++) {
         scratch->lowest[i] = NO_VERTEX;
     }
-    for (size_t v = 0; v < posture->skins[0].basis.count; v++) {
+    for (size_t v = 0; v < posture->skins[0].basis.point_count; v++) {
         double above = rise(posture, g, v, bent);
         if (above >= LOW || (posture->held[v] >> g & 1) != 0) {
             continue;
@@ -291,7 +254,7 @@ sf_status sfi_posture_look(const sfi_posture *posture, const sf_pose *poses, sf_
     sfi_posture_state s;
     sfi_pose_coefficients(poses, posture->energy->centres, posture->energy->handle_count,
                           scratch->coefficients);
-    SF_TRY(weigh(posture, task, scratch, &s.body));
+    SF_TRY(weigh(posture, poses, task, scratch, &s.body));
     sfi_energy_at(posture->energy, poses, scratch->energy, s.terms, NULL, NULL);
     s.energy = s.terms[0] + s.terms[1] + s.terms[2];
     s.unsafe = s.sunk = s.crushed = 0;

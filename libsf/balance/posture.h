@@ -9,7 +9,7 @@
 
 // A closed mesh that bends: the outside of the shape, or, inside out, its cavity.
 typedef struct sfi_skin {
-    sfi_basis basis; // of the mesh's vertices
+    sf_blend basis; // of the mesh's vertices
     const uint32_t *triangles;
     const sfi_incidence *incidence;
 } sfi_skin;
@@ -79,7 +79,8 @@ sf_status sfi_posture_scratch_make(const sfi_posture *posture, const sf_allocato
                                    sfi_posture_scratch *scratch);
 void sfi_posture_scratch_free(sfi_posture_scratch *scratch);
 
-// Bend, weigh, and fill in the rows. SF_ERR_MEMORY; SF_ERR_ARGUMENT: no mass is left.
+// Bend, weigh, and fill in the rows. SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: no mass is
+// left, or a pose is not finite.
 sf_status sfi_posture_look(const sfi_posture *posture, const sf_pose *poses, sf_task *task,
                            sfi_posture_scratch *scratch, sfi_posture_state *state);
 

@@ -242,12 +242,6 @@ static sf_status take_in(solver *s, size_t row)
     }
 }
 
-static void cut(double **at, double **piece, size_t count)
-{
-    *piece = *at;
-    *at += count;
-}
-
 static sf_status prepare(solver *s, const sf_allocator *allocator)
 {
     size_t n = s->n, square, most;
@@ -262,17 +256,17 @@ static sf_status prepare(solver *s, const sf_allocator *allocator)
         return SF_ERR_MEMORY;
     }
     double *at = s->memory;
-    cut(&at, &s->factor, square);
-    cut(&at, &s->columns, square);
-    cut(&at, &s->ortho, square);
-    cut(&at, &s->triangle, square);
-    cut(&at, &s->x, n);
-    cut(&at, &s->multiplier, n);
-    cut(&at, &s->column, n);
-    cut(&at, &s->share, n);
-    cut(&at, &s->rest, n);
-    cut(&at, &s->along, n);
-    cut(&at, &s->ease, n);
+    s->factor = sfi_cut(&at, square);
+    s->columns = sfi_cut(&at, square);
+    s->ortho = sfi_cut(&at, square);
+    s->triangle = sfi_cut(&at, square);
+    s->x = sfi_cut(&at, n);
+    s->multiplier = sfi_cut(&at, n);
+    s->column = sfi_cut(&at, n);
+    s->share = sfi_cut(&at, n);
+    s->rest = sfi_cut(&at, n);
+    s->along = sfi_cut(&at, n);
+    s->ease = sfi_cut(&at, n);
     return factorize(s->program->hessian, n, s->factor) ? SF_OK : SF_ERR_ARGUMENT;
 }
 

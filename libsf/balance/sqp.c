@@ -79,13 +79,6 @@ static double unit_of(const run *r, size_t parameter)
 
 // --- Memory --------------------------------------------------------------------------------------
 
-static double *cut(double **at, size_t count)
-{
-    double *piece = *at;
-    *at += count;
-    return piece;
-}
-
 static sf_status take_numbers(run *r)
 {
     size_t all = SFI_POSE_SIZE * r->handles, n = r->unknowns;
@@ -102,16 +95,16 @@ static sf_status take_numbers(run *r)
         return SF_ERR_MEMORY;
     }
     double *at = r->memory;
-    r->gradient = cut(&at, all);
-    r->pulled = cut(&at, all);
-    r->change = cut(&at, all);
-    r->hessian = cut(&at, hessian);
-    r->slope = cut(&at, n);
-    r->step = cut(&at, n);
-    r->curvature = cut(&at, curvature);
-    r->rows = cut(&at, r->row_capacity * n);
-    r->bounds = cut(&at, r->row_capacity);
-    r->multipliers = cut(&at, r->row_capacity);
+    r->gradient = sfi_cut(&at, all);
+    r->pulled = sfi_cut(&at, all);
+    r->change = sfi_cut(&at, all);
+    r->hessian = sfi_cut(&at, hessian);
+    r->slope = sfi_cut(&at, n);
+    r->step = sfi_cut(&at, n);
+    r->curvature = sfi_cut(&at, curvature);
+    r->rows = sfi_cut(&at, r->row_capacity * n);
+    r->bounds = sfi_cut(&at, r->row_capacity);
+    r->multipliers = sfi_cut(&at, r->row_capacity);
     return SF_OK;
 }
 
@@ -247,7 +240,7 @@ static double longest(const run *r)
     return most;
 }
 
-static void try_share(run *r, double share)
+static sf_status try_share(run *r, double share)
 {
     memset(r->change, 0, SFI_POSE_SIZE * r->handles * sizeof *r->change);
     for (size_t i = 0; i < r->free_count; i++) {
@@ -256,8 +249,9 @@ static void try_share(run *r, double share)
     }
     memcpy(r->tried, r->poses, r->handles * sizeof *r->poses);
     for (size_t j = 0; j < r->handles; j++) {
-        sfi_pose_move(&r->tried[j], r->change + SFI_POSE_SIZE * j);
+        SF_TRY(sfi_pose_move(&r->tried[j], r->change + SFI_POSE_SIZE * j));
     }
+    return SF_OK;
 }
 
 // Take the longest share of the step that is a gain; the state and its rows are those of the poses
@@ -268,8 +262,10 @@ static sf_status take_step(run *r, sfi_posture_state *state, int *settled)
     int small = longest(r) < STEP_NONE;
     for (int i = 0; i < HALVINGS; i++, share *= 0.5) {
         sfi_posture_state found;
-        try_share(r, share);
-        sf_status status = sfi_posture_look(r->posture, r->tried, r->task, &r->scratch, &found);
+        sf_status status = try_share(r, share);
+        if (status == SF_OK) {
+            status = sfi_posture_look(r->posture, r->tried, r->task, &r->scratch, &found);
+        }
         if (status == SF_OK && merit_of(&found, price) < before) {
             *settled = small || before - merit_of(&found, price) < GAIN_NONE * (1 + before);
             memcpy(r->poses, r->tried, r->handles * sizeof *r->poses);

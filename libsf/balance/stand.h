@@ -91,6 +91,9 @@ double sfi_stand_energy(const sf_stand *stand, const sf_pose *poses);
 sf_status sfi_stand_take_handles(const sf_handle *handles, size_t count, sf_task *task,
                                  sf_stand *stand, sf_fault *fault);
 
+// A box of cubes around a mesh, with one to spare on each side, on places that do not depend on it.
+sf_status sfi_stand_lattice(const sf_stand *stand, sf_mesh_view mesh, sf_lattice *lattice);
+
 // Carve the shape that is bent as `bent` and `poses` say, for stances.
 sf_status sfi_carved_make(const sf_stand *stand, const double *bent, const sf_pose *poses,
                           sf_stance *const *stances, sf_carve_goal goal, sf_task *task,

@@ -48,27 +48,6 @@ typedef struct carving {
 
 // --- Voxels --------------------------------------------------------------------------------------
 
-// A box of voxels around the shape, with one to spare on each side.
-static sf_status lay_lattice(carving *c)
-{
-    double low[3], high[3], pitch = c->stand->options.pitch_mm, counts[3];
-    SF_TRY(sf_mesh_bounds(c->outside, low, high));
-    memset(&c->lattice, 0, sizeof c->lattice);
-    for (int d = 0; d < 3; d++) {
-        double first = floor(low[d] / pitch) - 1, last = floor(high[d] / pitch) + 2;
-        c->lattice.origin_mm[d] = first * pitch;
-        counts[d] = last - first;
-        if (!(counts[d] <= SF_EXTENT_MAX)) {
-            return SF_ERR_OVERFLOW;
-        }
-    }
-    c->lattice.nx = (uint32_t)counts[0];
-    c->lattice.ny = (uint32_t)counts[1];
-    c->lattice.nz = (uint32_t)counts[2];
-    c->lattice.pitch_x_mm = c->lattice.pitch_y_mm = c->lattice.layer_mm = pitch;
-    return SF_OK;
-}
-
 static sf_status fill(const carving *c, sf_fill fill, sf_grid *grid)
 {
     sf_voxelize_options options = sf_voxelize_options_default();
@@ -80,7 +59,7 @@ static sf_status fill(const carving *c, sf_fill fill, sf_grid *grid)
 static sf_status make_voxels(carving *c)
 {
     const sf_allocator *a = &c->stand->allocator;
-    SF_TRY(lay_lattice(c));
+    SF_TRY(sfi_stand_lattice(c->stand, c->outside, &c->lattice));
     SF_TRY(sf_grid_create(&c->lattice, a, &c->made.solid));
     SF_TRY(sf_grid_create(&c->lattice, a, &c->made.result));
     SF_TRY(sf_grid_create(&c->lattice, a, &c->wall));
@@ -172,7 +151,7 @@ static sf_status carry(carving *c, double mass, const double rest[3], double *sc
         return SF_OK;
     }
     SF_TRY(sf_weights_at(s->field, rest, scratch, NULL));
-    sfi_basis one = {rest, scratch, sf_weights_centers(s->field), 1, s->handle_count};
+    sf_blend one = {rest, scratch, 1, sf_weights_centers(s->field), s->handle_count};
     double *phi = scratch + s->handle_count;
     sfi_basis_at(&one, 0, phi);
     for (size_t b = 0; b < sfi_basis_size(&one); b++) {

@@ -255,7 +255,7 @@ static void hold_neighbours(sf_stand *stand)
 
 // --- Handles -------------------------------------------------------------------------------------
 
-static sf_status lay_lattice(const sf_stand *stand, sf_mesh_view view, sf_lattice *lattice)
+sf_status sfi_stand_lattice(const sf_stand *stand, sf_mesh_view view, sf_lattice *lattice)
 {
     double low[3], high[3], pitch = stand->options.pitch_mm;
     uint32_t counts[3];
@@ -282,7 +282,7 @@ static sf_status make_domain(const sf_stand *stand, sf_task *task, sf_grid **dom
     sf_mesh_view view = sfi_stand_surface_view(&stand->surface, stand->surface.points);
     sf_lattice lattice;
     sf_grid *solid = NULL;
-    SF_TRY(lay_lattice(stand, view, &lattice));
+    SF_TRY(sfi_stand_lattice(stand, view, &lattice));
     SF_TRY(sf_grid_create(&lattice, &stand->allocator, &solid));
     sf_voxelize_options options = sf_voxelize_options_default();
     options.fill = SF_FILL_WINDING;
@@ -360,8 +360,8 @@ sf_status sfi_stand_take_handles(const sf_handle *handles, size_t count, sf_task
         stand->poses[j] = sf_pose_identity();
     }
     free_parameters(stand);
-    sfi_basis basis = {stand->surface.points, stand->weights, sf_weights_centers(stand->field),
-                       stand->surface.point_count, stand->handle_count};
+    sf_blend basis = {stand->surface.points, stand->weights, stand->surface.point_count,
+                      sf_weights_centers(stand->field), stand->handle_count};
     return sfi_energy_make(sfi_stand_surface_view(&stand->surface, stand->surface.points),
                            &stand->surface.incidence, &basis, stand->size_mm, weights, a, task,
                            &stand->energy);

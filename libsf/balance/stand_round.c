@@ -88,9 +88,9 @@ static void make_scene(const sf_stand *s, scene *made)
     const sfi_carved *c = &s->carved;
     const double *centres = sf_weights_centers(s->field);
     sf_mesh_view cavity = sf_mesh_get_view(c->cavity);
-    sfi_basis outside = {s->surface.points, s->weights, centres, s->surface.point_count,
-                         s->handle_count};
-    sfi_basis inside = {c->rest, c->weights, centres, c->point_count, s->handle_count};
+    sf_blend outside = {s->surface.points, s->weights, s->surface.point_count, centres,
+                        s->handle_count};
+    sf_blend inside = {c->rest, c->weights, c->point_count, centres, s->handle_count};
     sfi_skin skins[2] = {{outside, s->surface.triangles, &s->surface.incidence},
                          {inside, cavity.triangles, &c->incidence}};
     memcpy(made->skins, skins, sizeof skins);

@@ -21,4 +21,12 @@ void sfi_free_array(const sf_allocator *allocator, void *memory, size_t count, s
 int sfi_grow_array(const sf_allocator *allocator, void **memory, size_t *capacity, size_t need,
                    size_t element_size);
 
+// The next `count` numbers of a block that is shared out.
+static inline double *sfi_cut(double **at, size_t count)
+{
+    double *piece = *at;
+    *at += count;
+    return piece;
+}
+
 #endif

@@ -90,7 +90,7 @@ static void begin(bend_work *w)
     weigh_points(w);
     stand(w);
     const double weights[3] = {1, 0.3, 0.05};
-    sfi_basis basis = {w->view.vertices, w->weights, w->centres, w->view.vertex_count, HANDLES};
+    sf_blend basis = {w->view.vertices, w->weights, w->view.vertex_count, w->centres, HANDLES};
     bench_must(sfi_incidence_make(w->view, &w->allocator, &w->incidence));
     bench_must(sfi_energy_make(w->view, &w->incidence, &basis, SIZE, weights, &w->allocator, NULL,
                                &w->energy));

@@ -16,7 +16,7 @@ typedef struct scene {
     sf_mesh_view view;
     double *weights, centres[3 * HANDLES];
     sfi_incidence incidence;
-    sfi_basis basis;
+    sf_blend basis;
     sf_allocator allocator;
 } scene;
 
@@ -36,7 +36,7 @@ static inline void begin(scene *s)
         s->centres[i] = 5 * test_random_unit();
     }
     CHECK_EQ(sfi_incidence_make(s->view, &s->allocator, &s->incidence), SF_OK);
-    sfi_basis basis = {s->view.vertices, s->weights, s->centres, s->view.vertex_count, HANDLES};
+    sf_blend basis = {s->view.vertices, s->weights, s->view.vertex_count, s->centres, HANDLES};
     s->basis = basis;
 }
 

@@ -23,7 +23,7 @@ static void random_poses(sf_pose *poses)
             by[i] = test_random_unit() - 0.5;
         }
         poses[j] = at_rest;
-        sfi_pose_move(&poses[j], by);
+        CHECK_EQ(sfi_pose_move(&poses[j], by), SF_OK);
     }
 }
 
@@ -98,11 +98,11 @@ static void derivatives_agree(void)
         double by[SFI_POSE_SIZE] = {0}, step = 1e-5;
         memcpy(moved, poses, sizeof poses);
         by[i % SFI_POSE_SIZE] = step;
-        sfi_pose_move(&moved[i / SFI_POSE_SIZE], by);
+        CHECK_EQ(sfi_pose_move(&moved[i / SFI_POSE_SIZE], by), SF_OK);
         double high = total(&energy, moved, up);
         memcpy(moved, poses, sizeof poses);
         by[i % SFI_POSE_SIZE] = -step;
-        sfi_pose_move(&moved[i / SFI_POSE_SIZE], by);
+        CHECK_EQ(sfi_pose_move(&moved[i / SFI_POSE_SIZE], by), SF_OK);
         double low = total(&energy, moved, down);
         CHECK_NEAR((high - low) / (2 * step), gradient[i], 1e-7);
         // In scale and shift the energy is quadratic, so that its second derivatives are exact.
@@ -136,7 +136,7 @@ static void rest_costs_nothing(void)
         double by[SFI_POSE_SIZE] = {0}, step = 1e-4, slope[PARAMETERS];
         by[i % SFI_POSE_SIZE] = step;
         sf_pose moved[HANDLES] = {at_rest, at_rest, at_rest};
-        sfi_pose_move(&moved[i / SFI_POSE_SIZE], by);
+        CHECK_EQ(sfi_pose_move(&moved[i / SFI_POSE_SIZE], by), SF_OK);
         (void)total(&energy, moved, slope);
         for (int k = 0; k < PARAMETERS; k++) {
             CHECK_NEAR(slope[k] / step, hessian[i * PARAMETERS + k], 2e-3);
@@ -154,7 +154,7 @@ static void turns_stay_turns(void)
         for (int d = 0; d < 3; d++) {
             by[SFI_POSE_TURN + d] = 2 * test_random_unit() - 1;
         }
-        sfi_pose_move(&pose, by);
+        CHECK_EQ(sfi_pose_move(&pose, by), SF_OK);
     }
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -168,7 +168,7 @@ static void turns_stay_turns(void)
     // A small turn about z.
     double by[SFI_POSE_SIZE] = {0, 0, 0, 0, 0, 0, 1e-3};
     pose = at_rest;
-    sfi_pose_move(&pose, by);
+    CHECK_EQ(sfi_pose_move(&pose, by), SF_OK);
     CHECK_NEAR(pose.turn[1], -sin(1e-3), 1e-9);
     CHECK_NEAR(pose.turn[3], sin(1e-3), 1e-9);
     CHECK_NEAR(pose.turn[0], cos(1e-3), 1e-9);

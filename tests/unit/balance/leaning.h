@@ -75,7 +75,7 @@ static inline void tower_begin(tower *t, double lean)
     }
     stand_on_foot(t, 0.1);
     CHECK_EQ(sfi_incidence_make(t->view, &t->allocator, &t->incidence), SF_OK);
-    sfi_basis basis = {t->view.vertices, t->weights, t->centres, t->view.vertex_count, HANDLES};
+    sf_blend basis = {t->view.vertices, t->weights, t->view.vertex_count, t->centres, HANDLES};
     const double weights[3] = {1, 0.3, 0.05};
     CHECK_EQ(sfi_energy_make(t->view, &t->incidence, &basis, TOWER, weights, &t->allocator, NULL,
                              &t->energy),

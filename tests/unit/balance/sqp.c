@@ -80,7 +80,7 @@ static void check_least(const tower *t, const sf_pose *poses, double energy)
                     by[p] = far * unit * (test_random_unit() - 0.5);
                 }
             }
-            sfi_pose_move(&other[j], by);
+            CHECK_EQ(sfi_pose_move(&other[j], by), SF_OK);
         }
         if (lacking(t, other) <= 1e-7) {
             CHECK(energy_of(t, other) > energy - 1e-6);
