@@ -16,7 +16,7 @@
 
 #include <sf/printing.h>
 
-#include "balance/pieces.h"
+#include "balance/printed.h"
 #include "base/math.h"
 #include "base/memory.h"
 #include "base/status.h"
@@ -31,7 +31,7 @@
 typedef struct watch {
     sf_lattice lattice;
     double unit_mm;
-    sfi_pieces pieces;
+    sfi_printed pieces;
     sfi_layer layer;
     uint64_t bed_bottom; // in units
     double *margins;
@@ -125,7 +125,7 @@ static void judge_layer(watch *w)
     sf_printing_report *r = &w->report;
     const sfi_piece *worst = NULL;
     uint32_t standing = 0;
-    for (uint32_t i = 0; i < w->pieces.count; i++) {
+    for (uint32_t i = 0; i < w->pieces.sets.count; i++) {
         sfi_piece *p = &w->pieces.list[i];
         if (p->is_on_bed && p->is_here) {
             find_margin(w, p);
@@ -167,7 +167,7 @@ static sf_status sweep(watch *w, const sf_grid *grid, uint32_t bed, sf_task *tas
             w->bed_bottom = w->layer.bottom;
         }
         if (k >= bed) {
-            SF_TRY(sfi_pieces_add(&w->pieces, sf_grid_slice(grid, k), &w->layer));
+            SF_TRY(sfi_printed_add(&w->pieces, sf_grid_slice(grid, k), &w->layer));
         }
         judge_layer(w);
         sfi_progress_report(&progress, (uint64_t)k + 1, w->lattice.nz);
@@ -194,7 +194,7 @@ static sf_status look(watch *w, const sf_grid *grid, const sf_printing_options *
     set_unit(w);
     w->report.bed_layer = bed < nz ? bed : SF_BED_AUTO;
     if (o->margins_rad != NULL) {
-        w->margins = sfi_alloc_array(&w->pieces.allocator, nz, sizeof *w->margins);
+        w->margins = sfi_alloc_array(&w->pieces.sets.allocator, nz, sizeof *w->margins);
         if (w->margins == NULL) {
             return SF_ERR_MEMORY;
         }
@@ -203,7 +203,7 @@ static sf_status look(watch *w, const sf_grid *grid, const sf_printing_options *
     for (uint32_t k = 0; status == SF_OK && w->margins != NULL && k < nz; k++) {
         o->margins_rad[k] = w->margins[k];
     }
-    sfi_free_array(&w->pieces.allocator, w->margins, nz, sizeof *w->margins);
+    sfi_free_array(&w->pieces.sets.allocator, w->margins, nz, sizeof *w->margins);
     return status;
 }
 
@@ -218,11 +218,11 @@ sf_status sf_grid_printing(const sf_grid *grid, const sf_printing_options *optio
     SF_TRY(check(grid, o));
     watch w = {
         .lattice = sf_grid_lattice(grid),
-        .pieces = {.allocator = sfi_allocator_or_default(allocator),
-                   .connectivity = o->connectivity},
+        .pieces.sets = {.allocator = sfi_allocator_or_default(allocator),
+                        .connectivity = o->connectivity},
         .report = {.margin_rad = HALF_PI, .layer = SF_BED_AUTO, .floating_layer = SF_BED_AUTO}};
     sf_status status = look(&w, grid, o, task);
-    sfi_pieces_release(&w.pieces);
+    sfi_printed_release(&w.pieces);
     if (status == SF_OK) {
         *report = w.report;
     }

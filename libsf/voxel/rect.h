@@ -79,4 +79,15 @@ static inline sf_box sfi_box_union(sf_box box, sf_rect rect, uint32_t z)
     return grown;
 }
 
+// The smallest box around two.
+static inline sf_box sfi_box_join(sf_box a, sf_box b)
+{
+    if (sfi_box_is_empty(a) || sfi_box_is_empty(b)) {
+        return sfi_box_is_empty(a) ? b : a;
+    }
+    sf_box both = {a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0, a.z0 < b.z0 ? a.z0 : b.z0,
+                   a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1, a.z1 > b.z1 ? a.z1 : b.z1};
+    return both;
+}
+
 #endif
