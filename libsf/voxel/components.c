@@ -4,33 +4,12 @@
 // Two runs touch when their rows are neighbours and their intervals overlap (four neighbours) or
 // overlap once one of them is widened by a voxel (eight neighbours). A sweep over two rows at a
 // time finds every such pair, because both rows are sorted; sets of runs are joined in a forest
-// whose parents are kept in the labels themselves, so no memory is needed. A root is always the
-// first run of its set: following runs point downwards, and one pass in order turns parents into
-// numbers. (R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975, with
-// halving.)
+// that takes no memory (voxel/run_forest.h). Following runs point downwards, and one pass in order
+// turns parents into numbers.
 
 #include "base/status.h"
 #include "voxel/rect.h"
-
-static uint32_t find_root(sf_run *runs, uint32_t i)
-{
-    while (runs[i].label != i) {
-        runs[i].label = runs[runs[i].label].label;
-        i = runs[i].label;
-    }
-    return i;
-}
-
-static void join(sf_run *runs, uint32_t a, uint32_t b)
-{
-    a = find_root(runs, a);
-    b = find_root(runs, b);
-    if (a < b) {
-        runs[b].label = a;
-    } else {
-        runs[a].label = b;
-    }
-}
+#include "voxel/run_forest.h"
 
 // Within the largest slice and not empty: so that sums of ends never wrap.
 static int is_run(const sf_run *run)
@@ -62,7 +41,7 @@ static void join_rows(sf_run *runs, size_t from, size_t first, size_t end, uint3
             below++;
         }
         for (size_t j = below; j < first && runs[j].x0 < runs[i].x1 + slack; j++) {
-            join(runs, (uint32_t)j, (uint32_t)i);
+            sfi_run_join(runs, (uint32_t)j, (uint32_t)i);
         }
     }
 }

@@ -1,41 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Connected pieces of a grid, by its runs.
 //
-// As components.c does for a slice: runs are joined in a forest whose parents are kept in their
-// labels, the first run of a set is its root, and one pass in order turns parents into numbers. Two
-// runs touch when their rows are neighbours, in one layer or in two, and their intervals overlap,
-// or, where corners connect, overlap once one of them is widened by a voxel. Rows of a layer are
-// found by walking all of its runs together with those of the rows that touch them, so nothing but
-// the runs themselves takes memory.
-//
-// (R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975, with halving.)
+// As components.c does for a slice: runs are joined in a forest (voxel/run_forest.h), and one pass
+// in order turns parents into numbers. Two runs touch when their rows are neighbours, in one layer
+// or in two, and their intervals overlap, or, where corners connect, overlap once one of them is
+// widened by a voxel. Rows of a layer are found by walking all of its runs together with those of
+// the rows that touch them, so nothing but the runs themselves takes memory.
 
 #include "voxel/pieces.h"
 
 #include "base/memory.h"
 #include "base/status.h"
+#include "voxel/run_forest.h"
 #include "voxel/slice.h"
 
 #include <string.h>
 
 // ---------------------------------------------------------------------------------------------
-// Forest
+// Joining
 // ---------------------------------------------------------------------------------------------
-
-static uint32_t find_root(sf_run *runs, uint32_t i)
-{
-    while (runs[i].label != i) {
-        runs[i].label = runs[runs[i].label].label;
-        i = runs[i].label;
-    }
-    return i;
-}
-
-static void join(sf_run *runs, size_t i, size_t j)
-{
-    uint32_t a = find_root(runs, (uint32_t)i), b = find_root(runs, (uint32_t)j);
-    runs[a < b ? b : a].label = a < b ? a : b;
-}
 
 // A place in the runs of a layer that moves on from row to row.
 typedef struct cursor {
@@ -61,7 +44,7 @@ static void join_rows(sf_run *runs, cursor a, cursor b, uint32_t slack)
     while (a.at < a.end && b.at < b.end) {
         const sf_run *p = &runs[a.at], *q = &runs[b.at];
         if (p->x0 < q->x1 + slack && q->x0 < p->x1 + slack) {
-            join(runs, a.at, b.at);
+            sfi_run_join(runs, (uint32_t)a.at, (uint32_t)b.at);
         }
         // Whichever ends first meets nothing further: behind a run comes at least one voxel that is
         // of none.
