@@ -166,7 +166,7 @@ static void tie(const standing_model *m, const double place[3], double aside, do
 static double tilt_of(const sf_stand *stand, const double point[3])
 {
     double com[3];
-    standing_centre(sf_stand_outer(stand), sf_stand_cavity(stand), com);
+    judge_com(sf_stand_outer(stand), sf_stand_cavity(stand), com);
     return atan2(hypot(com[0] - point[0], com[1] - point[1]), point[2] - com[2]) / STANDING_DEGREE;
 }
 
@@ -181,7 +181,7 @@ static void hung_up(const char *path, int up, double aside)
         stance.kind = SF_STANCE_HANG;
         sf_mesh_view none = {NULL, 0, NULL, 0};
         double com[3];
-        standing_centre(sf_mesh_get_view(m.mesh), none, com);
+        judge_com(sf_mesh_get_view(m.mesh), none, com);
         tie(&m, com, aside, stance.point_mm);
         size_t count = standing_handles(&m, &stance, m.size / 64, 5, handles);
         sf_stand *stand = standing_create(&m, &stance, 1, handles, count, &o);
@@ -222,7 +222,7 @@ static void a_cow_stands_and_hangs(void)
     stances[1].kind = SF_STANCE_HANG;
     sf_mesh_view none = {NULL, 0, NULL, 0};
     double com[3];
-    standing_centre(sf_mesh_get_view(m.mesh), none, com);
+    judge_com(sf_mesh_get_view(m.mesh), none, com);
     tie(&m, com, 0.05, stances[1].point_mm);
     size_t count = standing_handles(&m, &stances[0], m.size / 64, 8, handles);
     sf_stand *stand = standing_create(&m, stances, 2, handles, count, &o);

@@ -25,61 +25,6 @@ static sf_stance_options stance_of(const pose *p, const standing_model *m)
     return o;
 }
 
-// Distance of a point to a triangle: the least over its inside, where the foot of the point falls
-// into it, and its three edges.
-static double distance(const double *p, const double *a, const double *b, const double *c)
-{
-    const double *corner[4] = {a, b, c, a};
-    double n[3], u[3], v[3], least = INFINITY, away = 0, length = 0;
-    int inside = 1;
-    for (int d = 0; d < 3; d++) {
-        u[d] = b[d] - a[d];
-        v[d] = c[d] - a[d];
-    }
-    for (int d = 0; d < 3; d++) {
-        n[d] = u[(d + 1) % 3] * v[(d + 2) % 3] - u[(d + 2) % 3] * v[(d + 1) % 3];
-        away += n[d] * (p[d] - a[d]);
-        length += n[d] * n[d];
-    }
-    for (int e = 0; e < 3; e++) {
-        double edge[3], to[3], turn = 0, along = 0, square = 0, gap = 0;
-        for (int d = 0; d < 3; d++) {
-            edge[d] = corner[e + 1][d] - corner[e][d];
-            to[d] = p[d] - corner[e][d];
-            along += edge[d] * to[d];
-            square += edge[d] * edge[d];
-        }
-        for (int d = 0; d < 3; d++) {
-            int f = (d + 1) % 3, g = (d + 2) % 3;
-            turn += n[d] * (edge[f] * to[g] - edge[g] * to[f]);
-        }
-        inside = inside && turn >= 0;
-        along = square > 0 ? fmin(1, fmax(0, along / square)) : 0;
-        for (int d = 0; d < 3; d++) {
-            gap += (to[d] - along * edge[d]) * (to[d] - along * edge[d]);
-        }
-        least = fmin(least, sqrt(gap));
-    }
-    return inside && length > 0 ? fmin(least, fabs(away) / sqrt(length)) : least;
-}
-
-// The wall at fifty vertices of the cavity.
-static double wall_of(const sf_stand *stand)
-{
-    sf_mesh_view outer = sf_stand_outer(stand), cavity = sf_stand_cavity(stand);
-    double least = INFINITY;
-    CHECK(cavity.vertex_count > 50);
-    for (size_t v = 0; v < cavity.vertex_count; v += cavity.vertex_count / 50) {
-        for (size_t t = 0; t < outer.triangle_count; t++) {
-            const uint32_t *i = outer.triangles + 3 * t;
-            least = fmin(least, distance(cavity.vertices + 3 * v, outer.vertices + 3 * (size_t)i[0],
-                                         outer.vertices + 3 * (size_t)i[1],
-                                         outer.vertices + 3 * (size_t)i[2]));
-        }
-    }
-    return least;
-}
-
 // How far the vertex that moved most has moved, feet put flat included.
 static double most_moved(const standing_model *m, sf_mesh_view now)
 {
@@ -137,7 +82,10 @@ static void check_standing(const pose *p, const standing_model *m, const sf_stan
     CHECK(r.ended && r.safe && r.folded == 0 && r.least_det > 0);
     CHECK(margin >= 3 * STANDING_DEGREE - 1e-4);
     CHECK_NEAR(margin, r.margin_rad, 1e-3);
-    CHECK(wall_of(stand) >= 0.01 * m->size * (1 - 1e-9));
+    sf_mesh_view cavity = sf_stand_cavity(stand);
+    CHECK(cavity.vertex_count > 50);
+    CHECK(judge_wall(sf_stand_outer(stand), cavity, 1 + cavity.vertex_count / 50) >=
+          0.01 * m->size * (1 - 1e-9));
     CHECK(most_moved(m, outer) <= p->most * m->size);
     check_clear(m, stance, outer);
     // That carving alone would not do is what the bound says, and what the first round found.

@@ -6,6 +6,7 @@
 #define TESTS_TRUTH_STANDING_H
 
 #include "data_file.h"
+#include "unit/balance/judge.h"
 
 #include <sf/stand.h>
 
@@ -179,39 +180,13 @@ static inline double standing_run(sf_stand *stand)
 
 // --- From the definitions ------------------------------------------------------------------------
 
-// Adds mass and moments of the tetrahedra between the origin and the triangles.
-static inline void standing_weigh(sf_mesh_view mesh, double sums[4])
-{
-    for (size_t t = 0; t < mesh.triangle_count; t++) {
-        const double *a = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t];
-        const double *b = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + 1];
-        const double *c = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + 2];
-        double six = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                     a[2] * (b[0] * c[1] - b[1] * c[0]);
-        sums[0] += six / 6;
-        for (int d = 0; d < 3; d++) {
-            sums[1 + d] += six / 24 * (a[d] + b[d] + c[d]);
-        }
-    }
-}
-
-static inline void standing_centre(sf_mesh_view outer, sf_mesh_view cavity, double com[3])
-{
-    double sums[4] = {0, 0, 0, 0};
-    standing_weigh(outer, sums);
-    standing_weigh(cavity, sums);
-    for (int d = 0; d < 3; d++) {
-        com[d] = sums[1 + d] / sums[0];
-    }
-}
-
 // The least tilt that makes it fall: over a fan of directions, the furthest vertex on the ground in
 // that direction decides. What is on the ground lies as low as the lowest vertex of the region.
 static inline double standing_margin(const sf_stand *stand, const sf_stance_options *o)
 {
     sf_mesh_view outer = sf_stand_outer(stand);
     double com[3], ground = INFINITY, least = INFINITY;
-    standing_centre(outer, sf_stand_cavity(stand), com);
+    judge_com(outer, sf_stand_cavity(stand), com);
     for (size_t v = 0; v < outer.vertex_count; v++) {
         const double *p = outer.vertices + 3 * v;
         ground = standing_in_region(o, p) ? fmin(ground, p[2]) : ground;

@@ -3,6 +3,7 @@
 // against the mass of the bent mesh itself, gradients against central differences of it.
 
 #include "balance/bent_body.h"
+#include "backwards.h"
 
 #include "bent.h"
 #include "failing_allocator.h"
@@ -68,14 +69,6 @@ static void values_and_gradients(void)
         CHECK_NEAR(worst / most, 0, 1e-8);
     }
     end(&s);
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count > 0) {
-        body(context, --count);
-    }
 }
 
 static void threads_and_memory(void)

@@ -4,6 +4,7 @@
 // refused memory at each of their requests, cancelled at each place where they ask, given nonsense
 // of every kind, and run with threads in disorder.
 
+#include "backwards.h"
 #include "carving.h"
 
 #include "failing_allocator.h"
@@ -129,14 +130,6 @@ static void on_progress(void *user, double fraction)
     (void)user;
     CHECK(fraction >= last_fraction && fraction <= 1);
     last_fraction = fraction;
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count-- > 0) {
-        body(context, count);
-    }
 }
 
 // What lies past the width of a row, in grids of the caller's, is nobody's.

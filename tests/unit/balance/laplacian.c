@@ -5,6 +5,7 @@
 // left, at similarities with small turns, it must be zero.
 
 #include "balance/laplacian.h"
+#include "backwards.h"
 #include "bent.h"
 #include "failing_allocator.h"
 
@@ -177,14 +178,6 @@ static void similarities_cost_nothing(void)
         CHECK(value(form, y) / norm > 1e-3);
     }
     end(&s);
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count > 0) {
-        body(context, --count);
-    }
 }
 
 static void threads_memory_and_cancel(void)

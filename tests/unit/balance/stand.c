@@ -3,6 +3,8 @@
 // library's own report: from the two meshes that come out, the weight, the tilt that is survived,
 // the thickness of the wall and what touches the ground are computed again, from their definitions.
 
+#include "backwards.h"
+#include "judge.h"
 #include "standing.h"
 
 #define DEGREE 0.017453292519943295
@@ -11,109 +13,23 @@ static const double middle_mm[3] = {0, 0, 24};
 
 // --- From the definitions ------------------------------------------------------------------------
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double *a, const double *b, double *out)
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-// Adds mass and moments of the tetrahedra between the origin and the triangles.
-static void weigh(sf_mesh_view mesh, double sums[4])
-{
-    for (size_t t = 0; t < mesh.triangle_count; t++) {
-        const double *p[3];
-        double n[3];
-        for (size_t i = 0; i < 3; i++) {
-            p[i] = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + i];
-        }
-        cross(p[1], p[2], n);
-        double six = dot(p[0], n);
-        sums[0] += six / 6;
-        for (int d = 0; d < 3; d++) {
-            sums[1 + d] += six / 24 * (p[0][d] + p[1][d] + p[2][d]);
-        }
-    }
-}
-
-static void centre_of(const sf_stand *stand, double com[3])
-{
-    double sums[4] = {0, 0, 0, 0};
-    weigh(sf_stand_outer(stand), sums);
-    weigh(sf_stand_cavity(stand), sums);
-    for (int d = 0; d < 3; d++) {
-        com[d] = sums[1 + d] / sums[0];
-    }
-}
-
 // The least tilt that makes it fall: over all directions of a fine fan, the furthest vertex on the
 // ground in that direction decides.
 static double margin_of(const sf_stand *stand)
 {
     sf_mesh_view outer = sf_stand_outer(stand);
     double com[3], least = 1e9;
-    centre_of(stand, com);
+    judge_com(sf_stand_outer(stand), sf_stand_cavity(stand), com);
     for (int i = 0; i < 3600; i++) {
         double angle = i * 6.283185307179586 / 3600, furthest = -1e9;
-        const double way[3] = {cos(angle), sin(angle), 0};
+        const double x = cos(angle), y = sin(angle);
         for (size_t v = 0; v < outer.vertex_count; v++) {
             const double *p = outer.vertices + 3 * v;
-            if (p[2] < 1e-9 && dot(p, way) > furthest) {
-                furthest = dot(p, way);
+            if (p[2] < 1e-9 && x * p[0] + y * p[1] > furthest) {
+                furthest = x * p[0] + y * p[1];
             }
         }
-        least = fmin(least, atan2(furthest - dot(com, way), com[2]));
-    }
-    return least;
-}
-
-// Distance of a point to a triangle: the least over its inside, where the foot falls into it, and
-// its three edges.
-static double distance(const double *p, const double *a, const double *b, const double *c)
-{
-    const double *corner[4] = {a, b, c, a};
-    double u[3], v[3], n[3], least = 1e9, inside = 1;
-    for (int d = 0; d < 3; d++) {
-        u[d] = b[d] - a[d];
-        v[d] = c[d] - a[d];
-    }
-    cross(u, v, n);
-    for (int e = 0; e < 3; e++) {
-        double edge[3], to[3], side[3], away = 0;
-        for (int d = 0; d < 3; d++) {
-            edge[d] = corner[e + 1][d] - corner[e][d];
-            to[d] = p[d] - corner[e][d];
-        }
-        cross(n, edge, side);
-        inside = dot(side, to) < 0 ? 0 : inside;
-        double along = fmin(1, fmax(0, dot(to, edge) / dot(edge, edge)));
-        for (int d = 0; d < 3; d++) {
-            away += (to[d] - along * edge[d]) * (to[d] - along * edge[d]);
-        }
-        least = fmin(least, sqrt(away));
-        if (e == 2 && inside > 0) {
-            least = fmin(least, fabs(dot(n, to)) / sqrt(dot(n, n)));
-        }
-    }
-    return least;
-}
-
-static double wall_of(const sf_stand *stand)
-{
-    sf_mesh_view outer = sf_stand_outer(stand), cavity = sf_stand_cavity(stand);
-    double least = 1e9;
-    for (size_t v = 0; v < cavity.vertex_count; v += 7) {
-        for (size_t t = 0; t < outer.triangle_count; t++) {
-            const uint32_t *i = outer.triangles + 3 * t;
-            least = fmin(least, distance(cavity.vertices + 3 * v, outer.vertices + 3 * (size_t)i[0],
-                                         outer.vertices + 3 * (size_t)i[1],
-                                         outer.vertices + 3 * (size_t)i[2]));
-        }
+        least = fmin(least, atan2(furthest - (x * com[0] + y * com[1]), com[2]));
     }
     return least;
 }
@@ -127,14 +43,14 @@ static void check_standing(const sf_stand *stand, double gamma, double wall_mm)
     CHECK(r.ended && r.safe && r.stands && r.folded == 0 && r.overlap_voxels == 0);
     CHECK(margin_of(stand) >= gamma - 1e-4);
     CHECK_NEAR(margin_of(stand), r.margin_rad, 1e-4);
-    centre_of(stand, com);
+    judge_com(sf_stand_outer(stand), sf_stand_cavity(stand), com);
     for (int d = 0; d < 3; d++) {
         CHECK_NEAR(com[d], r.com_mm[d], 1e-9);
     }
-    CHECK(wall_of(stand) >= wall_mm - 1e-9);
+    CHECK(judge_wall(sf_stand_outer(stand), sf_stand_cavity(stand), 7) >= wall_mm - 1e-9);
     CHECK_EQ(sf_mesh_analyze(cavity, NULL, &topology), SF_OK);
     CHECK(topology.closed && topology.oriented);
-    weigh(cavity, sums);
+    judge_weight(cavity, sums);
     CHECK_NEAR(-sums[0], r.carved_mm3, 1e-6);
     CHECK(r.carved_mm3 > 0);
 }
@@ -274,18 +190,10 @@ static void two_stances_at_once(void)
     sf_stand_report r = sf_stand_describe(stand);
     CHECK(r.safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
     double com[3];
-    centre_of(stand, com);
+    judge_com(sf_stand_outer(stand), sf_stand_cavity(stand), com);
     double aside = hypot(com[0] - stances[1].point_mm[0], com[1]);
     CHECK(atan2(aside, BOTTLE_HEIGHT - com[2]) <= 2 * DEGREE + 1e-6);
     sf_stand_destroy(stand);
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count > 0) {
-        body(context, --count);
-    }
 }
 
 static void threads_change_nothing(void)

@@ -3,6 +3,7 @@
 // was meant to, within a degree, wherever within twenty degrees it is let go. Its centre of mass is
 // computed again from the two meshes, and it is rolled from many starts.
 
+#include "judge.h"
 #include "test.h"
 
 #include <sf/stand.h>
@@ -62,21 +63,6 @@ static sf_mesh *rocker(void)
     return turned;
 }
 
-static void weigh(sf_mesh_view mesh, double sums[4])
-{
-    for (size_t t = 0; t < mesh.triangle_count; t++) {
-        const double *a = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t];
-        const double *b = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + 1];
-        const double *c = mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + 2];
-        double six = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                     a[2] * (b[0] * c[1] - b[1] * c[0]);
-        sums[0] += six / 6;
-        for (int d = 0; d < 3; d++) {
-            sums[1 + d] += six / 24 * (a[d] + b[d] + c[d]);
-        }
-    }
-}
-
 // The largest tilt it comes to rest in, from starts all over twenty degrees about.
 static double worst_tilt(const sf_stand *stand)
 {
@@ -84,8 +70,8 @@ static double worst_tilt(const sf_stand *stand)
     static double ups[3 * STARTS];
     static sf_rest rests[STARTS];
     double sums[4] = {0, 0, 0, 0}, worst = 0;
-    weigh(sf_stand_outer(stand), sums);
-    weigh(sf_stand_cavity(stand), sums);
+    judge_weight(sf_stand_outer(stand), sums);
+    judge_weight(sf_stand_cavity(stand), sums);
     const double com[3] = {sums[1] / sums[0], sums[2] / sums[0], sums[3] / sums[0]};
     for (int i = 0; i < STARTS; i++) {
         double tilt = 20 * DEGREE * (i % 2 ? 1 : test_random_unit());

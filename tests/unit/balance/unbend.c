@@ -4,6 +4,7 @@
 // where it was asked for; and folds must show where a determinant of differences is negative.
 // Promise: the same bytes for any number of threads, nothing changed in calls that fail.
 
+#include "backwards.h"
 #include "failing_allocator.h"
 #include "solid.h"
 
@@ -284,14 +285,6 @@ static void folds_refuse_nonsense(void)
     CHECK_EQ(sf_weights_fold(s.weights, s.poses, NULL, &again), SF_ERR_ARGUMENT);
     CHECK(memcmp(&fold, &again, sizeof fold) == 0);
     site_end(&s);
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count-- > 0) {
-        body(context, count);
-    }
 }
 
 static void the_same_bytes(void)

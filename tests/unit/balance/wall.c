@@ -5,6 +5,7 @@
 // against whole numbers of voxels where the surface lies along the lattice; on oblong voxels,
 // layers of any height, surfaces that leave the lattice, for thicknesses from nothing to all.
 
+#include "backwards.h"
 #include "distances.h"
 #include "failing_allocator.h"
 #include "unit/mesh/solids.h"
@@ -256,14 +257,6 @@ static void gaps_decide(void)
 // ---------------------------------------------------------------------------------------------
 // Calls
 // ---------------------------------------------------------------------------------------------
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    for (size_t i = count; i-- > 0;) {
-        body(context, i);
-    }
-}
 
 static sf_status call(const sf_grid *grid, int inside, const sf_allocator *allocator, sf_task *task,
                       sf_grid *wall)

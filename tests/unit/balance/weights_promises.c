@@ -4,6 +4,7 @@
 // are as few as asked; pieces without a handle that follow the closest; sentences for what cannot
 // be; nothing kept and nothing changed when memory runs out or a task is cancelled.
 
+#include "backwards.h"
 #include "failing_allocator.h"
 #include "solid.h"
 
@@ -62,14 +63,6 @@ static void random_point(const sf_grid *grid, double p[3])
     sf_lattice l = sf_grid_lattice(grid);
     for (int d = 0; d < 3; d++) {
         p[d] = l.origin_mm[d] + (1.2 * test_random_unit() - 0.1) * l.nx * l.pitch_x_mm;
-    }
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count-- > 0) {
-        body(context, count);
     }
 }
 

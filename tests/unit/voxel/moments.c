@@ -2,6 +2,7 @@
 // Why: mass, centre of mass and inertia of a voxel shape are these sums. They must be exact, also
 // where 64 bits would not hold them, and the same for any number of threads (TRUST 89).
 
+#include "backwards.h"
 #include "random_slice.h"
 #include "voxel/wide.h"
 
@@ -43,14 +44,6 @@ static void the_largest_slice_fits(void)
     CHECK(got.count == n * n && got.x == n * line && got.y == n * line);
     CHECK(got.xx == n * squares && got.yy == n * squares && got.xy == line * line);
     free(slice.words);
-}
-
-static void backwards(void *user, size_t count, sf_task_body body, void *context)
-{
-    (void)user;
-    while (count > 0) {
-        body(context, --count);
-    }
 }
 
 static void grids_sum_their_slices(void)
