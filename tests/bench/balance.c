@@ -5,7 +5,7 @@
 #include "bench.h"
 #include "scenes.h"
 
-#include "balance/sqp.h"
+#include "balance/bend/sqp.h"
 #include "base/memory.h"
 
 #include <math.h>

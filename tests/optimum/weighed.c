@@ -4,7 +4,7 @@
 // Each job: nx ny nz pitch_x pitch_y layer method count, then nx * ny * nz digits, layers first,
 // then x y z of each point. Each answer: the number of corners, then x y z and the weights of each.
 
-#include "balance/weights.h"
+#include "balance/handle/weights.h"
 
 #include <stdio.h>
 

@@ -4,8 +4,8 @@
 #ifndef SF_TEST_BALANCE_BENT_H
 #define SF_TEST_BALANCE_BENT_H
 
-#include "balance/basis.h"
-#include "balance/incidence.h"
+#include "balance/bend/basis.h"
+#include "balance/bend/incidence.h"
 #include "base/memory.h"
 #include "lump.h"
 

@@ -2,7 +2,7 @@
 // Why: what a handle does to the balance is known through this gradient alone. Values are held
 // against the mass of the bent mesh itself, gradients against central differences of it.
 
-#include "balance/bent_body.h"
+#include "balance/bend/bent_body.h"
 #include "backwards.h"
 
 #include "bent.h"

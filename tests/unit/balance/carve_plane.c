@@ -4,7 +4,7 @@
 // base and for several, with densities, ballast and layers of any height; the wall stays, nothing
 // is added, each goal does what it says, and the report says what is there.
 
-#include "balance/carve.h"
+#include "balance/carve/carve.h"
 #include "failing_allocator.h"
 #include "law/stack.h"
 

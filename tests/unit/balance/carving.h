@@ -4,7 +4,7 @@
 #ifndef SF_TEST_CARVING_H
 #define SF_TEST_CARVING_H
 
-#include "balance/forest.h"
+#include "balance/forest/forest.h"
 
 #include "law/alive.h"
 

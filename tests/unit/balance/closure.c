@@ -3,7 +3,7 @@
 // forests are tried: of random ones, and of those that carving grows in small random grids, whose
 // supporters must also be what they are said to be.
 
-#include "balance/places.h"
+#include "balance/forest/places.h"
 
 #include "law/alive.h"
 

@@ -2,7 +2,7 @@
 // Why: the paper's way is the oracle of ours. Both must set the same tower upright; where both do,
 // the quadratic programs must not bend it more. The schedule is held against the paper's words.
 
-#include "balance/descent.h"
+#include "balance/bend/descent.h"
 
 #include "failing_allocator.h"
 #include "leaning.h"

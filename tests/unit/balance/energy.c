@@ -3,8 +3,8 @@
 // the bent points, its gradient and its second derivatives by scale, shift and turn against
 // differences; poses that must cost nothing do.
 
-#include "balance/energy.h"
-#include "balance/laplacian.h"
+#include "balance/bend/energy.h"
+#include "balance/bend/laplacian.h"
 
 #include "bent.h"
 #include "failing_allocator.h"

@@ -7,7 +7,7 @@
 
 #include <sf/carve.h>
 
-#include "balance/forest.h"
+#include "balance/forest/forest.h"
 #include "base/memory.h"
 #include "truth/data_file.h"
 #include "voxel/pieces.h"

@@ -4,7 +4,7 @@
 // triangles, and the sums that moving the whole must give against zero and the mass, to 1e-14 of
 // the sum of absolute terms.
 
-#include "balance/gradient.h"
+#include "balance/bend/gradient.h"
 #include "base/memory.h"
 #include "failing_allocator.h"
 #include "lump.h"

@@ -6,7 +6,7 @@
 #include "failing_allocator.h"
 #include "solid.h"
 
-#include "balance/handles_depth.h"
+#include "balance/handle/handles_depth.h"
 #include "base/memory.h"
 
 #include <sf/weights.h>

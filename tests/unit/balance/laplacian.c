@@ -4,7 +4,7 @@
 // by least squares with seven unknowns, and sum what is left of the details. Where nothing may be
 // left, at similarities with small turns, it must be zero.
 
-#include "balance/laplacian.h"
+#include "balance/bend/laplacian.h"
 #include "backwards.h"
 #include "bent.h"
 #include "failing_allocator.h"

@@ -5,7 +5,7 @@
 #ifndef SF_TEST_BALANCE_LEANING_H
 #define SF_TEST_BALANCE_LEANING_H
 
-#include "balance/posture.h"
+#include "balance/bend/posture.h"
 #include "base/memory.h"
 #include "law/stack.h"
 

@@ -4,8 +4,8 @@
 // and thin, flat and without area, on the lattice and off it; the tree over triangles against all
 // of them; and what is marked as touched against the same judge.
 
-#include "balance/near.h"
-#include "balance/touched.h"
+#include "balance/wall/near.h"
+#include "balance/wall/touched.h"
 #include "base/memory.h"
 #include "distances.h"
 #include "failing_allocator.h"

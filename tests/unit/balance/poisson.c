@@ -4,7 +4,7 @@
 // definition; a cycle must be a symmetric positive matrix that leaves little of an error, whatever
 // the shape and whatever is held; and what is fixed stays 0.
 
-#include "balance/poisson.h"
+#include "balance/handle/poisson.h"
 #include "base/memory.h"
 #include "law/stack.h"
 #include "solid.h"

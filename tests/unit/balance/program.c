@@ -3,7 +3,7 @@
 // a mixture that is allowed, prices that are allowed, and one and the same value by both; no third
 // thing can then be better. Random programs, many of them degenerate.
 
-#include "balance/program.h"
+#include "balance/forest/program.h"
 
 #include "test.h"
 

@@ -4,7 +4,7 @@
 // definition; and where it says that nothing meets the rows, multipliers of Farkas must exist: here
 // such programs are built so that they are known to be empty, or known not to be.
 
-#include "balance/quadratic.h"
+#include "balance/bend/quadratic.h"
 #include "base/memory.h"
 #include "failing_allocator.h"
 #include "test.h"

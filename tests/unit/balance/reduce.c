@@ -3,7 +3,7 @@
 // falls is called safe; and what stays must be needed, or solvers drown in it. Held against points
 // all over the cube, and against the corners of what stays, found from all triples of planes.
 
-#include "balance/reduce.h"
+#include "balance/stance/reduce.h"
 #include "base/memory.h"
 #include "failing_allocator.h"
 #include "turn.h"

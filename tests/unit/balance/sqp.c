@@ -4,7 +4,7 @@
 // ground, scales within bounds and the foot where it was; and no small change of the free handles
 // may bend less and still stand.
 
-#include "balance/sqp.h"
+#include "balance/bend/sqp.h"
 
 #include "failing_allocator.h"
 #include "leaning.h"

@@ -5,7 +5,7 @@
 
 #include "solid.h"
 
-#include "balance/weights_domain.h"
+#include "balance/handle/weights_domain.h"
 #include "base/memory.h"
 
 #include <sf/weights.h>

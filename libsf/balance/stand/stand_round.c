@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// A round: bend the shape, carve what it is then, and see how it stands.
+//
+// With the cavity of the last round fixed, handles move until the centre of mass lies where every
+// stance wants it; then the bent shape is carved anew. While there is something to bend, carving
+// goes as far into the safe set as it can, because what carving gives need not be bent. Bending is
+// least for its cavity, and the cavity the best for its shape, so rounds go on until neither gains
+// anything; the best round is then taken up again, and carved once more, this time with as much
+// matter left in it as its stances allow.
+//
+// Everything is made aside, and put in place when all is known: a round that fails or is cancelled
+// has changed nothing.
+//
+// Source: R. Prevost and others, "Make It Stand", SIGGRAPH 2013, section 3.2.
+
+#include "balance/stand/stand.h"
+
+#include "base/memory.h"
+#include "base/status.h"
+#include "base/task.h"
+#include "mesh/vector.h"
+
+#include <math.h>
+#include <string.h>
+
+#define DEGREE_RAD 0.017453292519943295
+
+// Steps of the solver in a round; the paper carves after each of its own.
+enum { STEPS = 12, STEPS_OF_DESCENT = 1 };
+// Rounds without a gain after which it ends, once it is safe and before.
+enum { IDLE_SAFE = 2, IDLE_UNSAFE = 8 };
+// A gain: this share of the energy, this much of a margin.
+#define GAIN_ENERGY 0.01
+#define GAIN_MARGIN (0.01 * DEGREE_RAD)
+// How far below its clearance a vertex may lie, as a share of the size, and count as clear.
+#define SUNK_NONE 1e-4
+
+// What a round makes.
+typedef struct attempt {
+    sf_pose *poses;
+    double *bent;
+    sfi_stances stances; // of rocking shapes; else empty, and those of before stay
+    sfi_carved carved;
+    sfi_descent descent;
+    uint32_t steps;
+    double sunk;
+    int remade; // 1: the stances are its own
+} attempt;
+
+static sf_status begin(const sf_stand *s, attempt *a)
+{
+    memset(a, 0, sizeof *a);
+    a->descent = s->descent;
+    a->bent = sfi_alloc_array(&s->allocator, s->surface.point_count, 3 * sizeof *a->bent);
+    if (a->bent == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    if (!sfi_stand_bends(s)) {
+        memcpy(a->bent, s->surface.points, 3 * s->surface.point_count * sizeof *a->bent);
+        return SF_OK;
+    }
+    a->poses = sfi_alloc_array(&s->allocator, s->handle_count, sizeof *a->poses);
+    if (a->poses == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    memcpy(a->poses, s->poses, s->handle_count * sizeof *a->poses);
+    return SF_OK;
+}
+
+static void drop(const sf_stand *s, attempt *a)
+{
+    sfi_free_array(&s->allocator, a->bent, s->surface.point_count, 3 * sizeof *a->bent);
+    sfi_free_array(&s->allocator, a->poses, s->handle_count, sizeof *a->poses);
+    sfi_stances_free(s, &a->stances);
+    sfi_carved_free(s, &a->carved);
+}
+
+// --- Bending -------------------------------------------------------------------------------------
+
+// What the solver sees: the outside and the cavity of the last round.
+typedef struct scene {
+    sfi_skin skins[2];
+    sfi_posture posture;
+} scene;
+
+static void make_scene(const sf_stand *s, scene *made)
+{
+    const sfi_carved *c = &s->carved;
+    const double *centres = sf_weights_centers(s->field);
+    sf_mesh_view cavity = sf_mesh_get_view(c->cavity);
+    sf_blend outside = {s->surface.points, s->weights, s->surface.point_count, centres,
+                        s->handle_count};
+    sf_blend inside = {c->rest, c->weights, c->point_count, centres, s->handle_count};
+    sfi_skin skins[2] = {{outside, s->surface.triangles, &s->surface.incidence},
+                         {inside, cavity.triangles, &c->incidence}};
+    memcpy(made->skins, skins, sizeof skins);
+    sfi_posture posture = {.energy = &s->energy,
+                           .skins = made->skins,
+                           .skin_count = c->point_count > 0 ? 2 : 1,
+                           .loose_mass = c->loose_mass,
+                           .loose_sums = c->loose_sums,
+                           .safe = s->stances.safe,
+                           .safe_count = s->stances.safe_count,
+                           .standings = s->stances.standings,
+                           .standing_count = s->stance_count,
+                           .held = s->held,
+                           .foot = s->foot,
+                           .stretch = &s->stretch,
+                           .clearance_mm = s->options.clearance_mm,
+                           .size_mm = s->size_mm};
+    made->posture = posture;
+}
+
+static sf_status move_handles(const sf_stand *s, sf_task *task, attempt *a)
+{
+    scene made;
+    make_scene(s, &made);
+    if (s->options.solver == SF_STAND_DESCENT) {
+        sfi_posture_state state;
+        a->steps = STEPS_OF_DESCENT;
+        return sfi_descent_step(&made.posture, s->free, &s->allocator, task, &a->descent, a->poses,
+                                &state);
+    }
+    sfi_freedom freedom = {s->free, s->options.scale_low, s->options.scale_high};
+    sfi_sqp_report report;
+    SF_TRY(sfi_sqp_run(&made.posture, &freedom, STEPS, &s->allocator, task, a->poses, &report));
+    a->steps = report.steps;
+    return SF_OK;
+}
+
+// How far the lowest of the vertices that must stay clear of the ground lies too low.
+static double find_sunk(const sf_stand *s, const double *bent)
+{
+    double most = 0;
+    for (size_t i = 0; i < s->stance_count; i++) {
+        const sfi_standing *ground = &s->stances.standings[i];
+        for (size_t v = 0; v < s->surface.point_count && isfinite(ground->height_mm); v++) {
+            double height = sfi_dot(ground->up, bent + 3 * v) - ground->height_mm;
+            double sunk = ((s->foot[v] >> i & 1) != 0 ? 0 : s->options.clearance_mm) - height;
+            if ((s->held[v] >> i & 1) == 0 && sunk > most) {
+                most = sunk;
+            }
+        }
+    }
+    return most;
+}
+
+static sf_status bend(const sf_stand *s, sf_task *task, attempt *a)
+{
+    sf_blend blend = {s->surface.points, s->weights, s->surface.point_count,
+                      sf_weights_centers(s->field), s->handle_count};
+    SF_TRY(sf_blend_apply(blend, a->poses, NULL, a->bent));
+    a->sunk = find_sunk(s, a->bent);
+    for (size_t i = 0; i < s->stance_count; i++) {
+        a->remade = a->remade || s->asked[i].kind == SF_STANCE_ROCK;
+    }
+    (void)task;
+    return a->remade ? sfi_stances_make(s, a->bent, &a->stances, NULL) : SF_OK;
+}
+
+static sf_status carve(const sf_stand *s, sf_carve_goal goal, sf_task *task, attempt *a)
+{
+    const sfi_stances *stances = a->remade ? &a->stances : &s->stances;
+    return sfi_carved_make(s, a->bent, a->poses, stances->aimed, goal, task, &a->carved);
+}
+
+static sf_carve_goal goal_of(const sf_stand *s)
+{
+    if (!sfi_stand_bends(s)) {
+        return SF_CARVE_ENOUGH;
+    }
+    return s->options.solver == SF_STAND_DESCENT ? SF_CARVE_NEAREST : SF_CARVE_DEEPEST;
+}
+
+// --- Judging -------------------------------------------------------------------------------------
+
+// The verdict of all stances about a body: what the least of them says.
+static sf_status judge(const sf_stand *s, const sfi_stances *stances, const sf_body *body,
+                       double *margin, int *stands, int *safe, double com[3])
+{
+    *margin = INFINITY;
+    *stands = *safe = 1;
+    SF_TRY(sf_body_com(*body, com));
+    for (size_t i = 0; i < s->stance_count; i++) {
+        sf_stance_verdict v;
+        SF_TRY(sf_stance_judge(stances->asked[i], com, &v));
+        *margin = v.margin_rad < *margin ? v.margin_rad : *margin;
+        *stands = *stands && v.stands;
+        *safe = *safe && v.safe;
+    }
+    return SF_OK;
+}
+
+static double furthest(const sf_stand *s, const double *bent)
+{
+    double most = 0;
+    for (size_t v = 0; v < s->surface.point_count; v++) {
+        double move[3];
+        sfi_subtract(bent + 3 * v, s->surface.points + 3 * v, move);
+        double square = sfi_dot(move, move);
+        most = square > most ? square : most;
+    }
+    return sqrt(most);
+}
+
+static sf_status describe(const sf_stand *s, sf_task *task, const attempt *a,
+                          sf_stand_report *report)
+{
+    sf_stand_report r = s->report;
+    const sfi_stances *stances = a->remade ? &a->stances : &s->stances;
+    r.rounds++;
+    r.steps += a->steps;
+    SF_TRY(judge(s, stances, &a->carved.body, &r.margin_rad, &r.stands, &r.safe, r.com_mm));
+    r.mass = a->carved.body.mass;
+    sf_mass cavity = {0};
+    sf_mesh_view inside = sf_mesh_get_view(a->carved.cavity);
+    if (inside.triangle_count > 0) {
+        SF_TRY(sf_mesh_measure(inside, &cavity));
+    }
+    r.carved_mm3 = -cavity.volume_mm3;
+    r.sunk_mm = a->sunk;
+    r.overlap_voxels = a->carved.overlap_voxels;
+    r.hanging_voxels = a->carved.hanging_voxels;
+    r.bound_rad = a->carved.has_bound ? a->carved.bound_rad : r.bound_rad;
+    if (sfi_stand_bends(s)) {
+        sf_fold fold;
+        SF_TRY(sf_weights_fold(s->field, a->poses, task, &fold));
+        r.least_det = fold.least_det;
+        r.folded = fold.folded;
+        r.displacement_mm = furthest(s, a->bent);
+        r.energy = sfi_stand_energy(s, a->poses);
+    }
+    *report = r;
+    return SF_OK;
+}
+
+// --- The end of rounds ---------------------------------------------------------------------------
+
+static int is_good(const sf_stand *s, const sf_stand_report *r)
+{
+    return r->safe && (!sfi_stand_bends(s) || r->sunk_mm <= SUNK_NONE * s->size_mm);
+}
+
+// Whether this round is the best so far.
+static int is_better(const sf_stand *s, const sf_stand_report *r)
+{
+    int good = is_good(s, r);
+    if (good != s->best_is_safe || r->rounds == 1) {
+        return good || r->rounds == 1;
+    }
+    return good ? r->energy < (1 - GAIN_ENERGY) * s->best_energy
+                : r->margin_rad > s->best_margin_rad + GAIN_MARGIN;
+}
+
+static int is_over(const sf_stand *s, const sf_stand_report *r)
+{
+    int good = is_good(s, r);
+    if (!sfi_stand_bends(s) || r->rounds >= s->options.rounds_max) {
+        return 1;
+    }
+    if (s->options.solver == SF_STAND_DESCENT) {
+        return good || s->descent.ended;
+    }
+    return (good && r->energy < 1e-12) || s->idle >= (s->best_is_safe ? IDLE_SAFE : IDLE_UNSAFE);
+}
+
+static void take(sf_stand *s, attempt *a, const sf_stand_report *report)
+{
+    if (a->poses != NULL) {
+        memcpy(s->poses, a->poses, s->handle_count * sizeof *s->poses);
+    }
+    memcpy(s->bent, a->bent, 3 * s->surface.point_count * sizeof *s->bent);
+    sfi_stand_surface_spread(&s->surface, s->bent, s->vertices);
+    if (a->remade) {
+        sfi_stances old = s->stances;
+        s->stances = a->stances;
+        a->stances = old;
+    }
+    sfi_carved old = s->carved;
+    s->carved = a->carved;
+    a->carved = old;
+    s->descent = a->descent;
+    s->report = *report;
+}
+
+static void remember(sf_stand *s)
+{
+    const sf_stand_report *r = &s->report;
+    if (!is_better(s, r)) {
+        s->idle++;
+        return;
+    }
+    s->idle = 0;
+    s->best_is_safe = is_good(s, r);
+    s->best_energy = r->energy;
+    s->best_margin_rad = r->margin_rad;
+    if (s->poses != NULL) {
+        memcpy(s->best, s->poses, s->handle_count * sizeof *s->best);
+    }
+}
+
+// The best round again. Safe, it is carved with as much matter left as can be; if that should not
+// be safe, as before.
+static sf_status finish(sf_stand *s, sf_task *task)
+{
+    sf_carve_goal goals[2] = {s->best_is_safe ? SF_CARVE_ENOUGH : goal_of(s), goal_of(s)};
+    if (!sfi_stand_bends(s)) {
+        return SF_OK;
+    }
+    for (int i = 0; i < 2; i++) {
+        attempt a;
+        sf_stand_report report;
+        sf_status status = begin(s, &a);
+        if (status == SF_OK) {
+            memcpy(a.poses, s->best, s->handle_count * sizeof *a.poses);
+            status = bend(s, task, &a);
+        }
+        if (status == SF_OK) {
+            status = carve(s, goals[i], task, &a);
+        }
+        if (status == SF_OK) {
+            status = describe(s, task, &a, &report);
+        }
+        if (status == SF_OK) {
+            report.rounds--; // it is no new one
+            take(s, &a, &report);
+        }
+        drop(s, &a);
+        if (status != SF_OK || is_good(s, &s->report) == s->best_is_safe) {
+            return status;
+        }
+    }
+    return SF_OK;
+}
+
+static sf_status make_round(sf_stand *s, sf_task *task, attempt *a, sf_stand_report *report)
+{
+    SF_TRY(begin(s, a));
+    if (sfi_stand_bends(s)) {
+        if (s->report.rounds > 0) {
+            SF_TRY(move_handles(s, task, a));
+        }
+        SF_TRY(bend(s, task, a));
+    }
+    SF_TRY(carve(s, goal_of(s), task, a));
+    return describe(s, task, a, report);
+}
+
+sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_stand_report *report)
+{
+    if (stand == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    if (sf_task_is_cancelled(task)) {
+        return SF_ERR_CANCELLED;
+    }
+    attempt a;
+    sf_stand_report found;
+    if (!stand->report.ended) {
+        sf_status status = make_round(stand, task, &a, &found);
+        if (status == SF_OK) {
+            take(stand, &a, &found);
+            remember(stand);
+        }
+        drop(stand, &a);
+        SF_TRY(status);
+        if (is_over(stand, &stand->report)) {
+            SF_TRY(finish(stand, task));
+            stand->report.ended = 1;
+        }
+    }
+    if (report != NULL) {
+        *report = stand->report;
+    }
+    return SF_OK;
+}
+
+sf_status sf_stand_run(sf_stand *stand, sf_task *task, sf_stand_report *report)
+{
+    if (stand == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    sfi_progress progress = sfi_progress_begin(task);
+    while (!stand->report.ended) {
+        sfi_part part;
+        double from = 1 - ldexp(1, -(int)stand->report.rounds),
+               to = 1 - ldexp(1, -(int)stand->report.rounds - 1);
+        sfi_part_begin(&part, &progress, from, to);
+        SF_TRY(sf_stand_round(stand, &part.task, NULL));
+    }
+    if (report != NULL) {
+        *report = stand->report;
+    }
+    return SF_OK;
+}
