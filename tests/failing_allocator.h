@@ -21,6 +21,7 @@ typedef struct failing_allocator {
 
 static void *failing_alloc(void *user, size_t size, size_t align)
 {
+    static const unsigned char fills[5] = {0xdb, 0xff, 0x01, 0xfe, 0x80};
     failing_allocator *f = user;
     long index = f->requests++;
     if (f->fail_at >= 0 && index >= f->fail_at) {
@@ -35,7 +36,7 @@ static void *failing_alloc(void *user, size_t size, size_t align)
     unsigned char *memory = base + (start - (uintptr_t)base);
     uint64_t head[2] = {(uint64_t)(memory - base), size};
     memcpy(memory - 16, head, 16);
-    memset(memory, 0xdb, size); // nobody may count on zeros
+    memset(memory, fills[index % 5], size); // nobody may count on what is there
     f->live++;
     return memory;
 }

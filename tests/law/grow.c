@@ -36,7 +36,7 @@ static void trim_of(const path_case *c, const stack *s, stack *trimmed)
     if (terms.bed_layer >= (uint32_t)c->shape.nz) {
         terms.bed_layer = 0;
     }
-    CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
     stack_read(trimmed, grid);
     sf_grid_destroy(grid);
 }
@@ -92,7 +92,7 @@ static void check_grown(path_case *c)
         check_irredundant(c, &grown); // 62
     }
     c->terms.bed_layer = (uint32_t)c->bed;
-    CHECK_EQ(sf_grid_grow(c->grid, &c->terms, NULL, NULL, NULL, &report), SF_OK);
+    CHECK_EQ(sf_grid_grow(c->grid, &c->terms, stack_allocator(), NULL, NULL, &report), SF_OK);
     stack_read(&again, c->grid);
     CHECK(stack_equal(&again, &grown)); // 58
     CHECK_EQ(report.added_voxels, 0);
@@ -108,7 +108,8 @@ static void check_case(path_case *c)
     sf_grow_report report = {7, 7, 7};
     int feasible = is_feasible(c, &culprits);
     sf_status expected = feasible ? SF_OK : SF_ERR_INFEASIBLE;
-    CHECK_EQ(sf_grid_grow(c->grid, &c->terms, NULL, NULL, named, &report), expected); // 63
+    CHECK_EQ(sf_grid_grow(c->grid, &c->terms, stack_allocator(), NULL, named, &report),
+             expected); // 63
     if (feasible) {
         CHECK_EQ(report.kept_voxels, stack_volume(&c->shape));
         CHECK_EQ(report.added_voxels, sf_grid_popcount(c->grid) - report.kept_voxels);
@@ -267,7 +268,7 @@ static void grow_text(const char *text, stack *grown)
     terms.bed_layer = 0;
     stack_parse(grown, text);
     sf_grid *grid = stack_grid(grown);
-    CHECK_EQ(sf_grid_grow(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_grid_grow(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
     stack_read(grown, grid);
     sf_grid_destroy(grid);
 }
@@ -310,10 +311,10 @@ static void wide_overhangs_share_supporters(void)
     sf_grow_report plain, bridged;
     terms.bed_layer = 0;
     sf_grid *grid = stack_grid(&s), *other = stack_grid(&s);
-    CHECK_EQ(sf_grid_grow(grid, &terms, NULL, NULL, NULL, &plain), SF_OK);
+    CHECK_EQ(sf_grid_grow(grid, &terms, stack_allocator(), NULL, NULL, &plain), SF_OK);
     CHECK(plain.added_voxels < 81 * 11 / 2); // 81 pillars side by side would be twice as much
     terms.rule.bridge.span_x = 12;
-    CHECK_EQ(sf_grid_grow(other, &terms, NULL, NULL, NULL, &bridged), SF_OK);
+    CHECK_EQ(sf_grid_grow(other, &terms, stack_allocator(), NULL, NULL, &bridged), SF_OK);
     CHECK(bridged.added_voxels < plain.added_voxels);
     sf_grid_destroy(grid);
     sf_grid_destroy(other);

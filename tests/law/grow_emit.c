@@ -46,7 +46,7 @@ static void naive_result(const path_case *c, const stack *added, stack *result)
     terms.forbid = terms.act = NULL;
     terms.rule.bridge = none;
     terms.bed_layer = (uint32_t)c->bed;
-    CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
     stack_read(result, grid);
     sf_grid_destroy(grid);
     sf_grid_destroy(exempt);
@@ -67,7 +67,9 @@ static size_t random_path(const path_case *c, sf_voxel *path)
 {
     sf_path_finder *finder = NULL;
     sf_path p = {0};
-    CHECK_EQ(sf_path_finder_create(c->grid, &c->terms, c->landing, NULL, NULL, &finder), SF_OK);
+    CHECK_EQ(
+        sf_path_finder_create(c->grid, &c->terms, c->landing, stack_allocator(), NULL, &finder),
+        SF_OK);
     for (int attempt = 0; attempt < 20 && p.count == 0; attempt++) {
         sf_voxel from = {test_random_below((uint32_t)c->shape.nx),
                          test_random_below((uint32_t)c->shape.ny),
@@ -146,7 +148,7 @@ static void support_free_stays_support_free(void)
         sf_stroke stroke = {stack_grid(&brush), anchor, path, random_path(&c, path)};
         CHECK_EQ(sf_grid_emit(c.grid, &c.terms, &stroke, NULL, NULL), SF_OK);
         stack_read(&found, c.grid);
-        CHECK_EQ(sf_grid_trim_on(c.grid, &c.terms, NULL, NULL, NULL, NULL), SF_OK);
+        CHECK_EQ(sf_grid_trim_on(c.grid, &c.terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         stack_read(&trimmed, c.grid);
         CHECK(stack_equal(&found, &trimmed));
         CHECK(stack_within(&c.alive, &found));

@@ -103,7 +103,9 @@ static void check_case(path_case *c, sf_path_cost kind)
     options.landing = c->landing;
     options.cost = kind;
     CHECK_EQ(sf_path_map_create(c->grid, &c->terms, &options, NULL, NULL, &map), SF_OK);
-    CHECK_EQ(sf_path_finder_create(c->grid, &c->terms, c->landing, NULL, NULL, &finder), SF_OK);
+    CHECK_EQ(
+        sf_path_finder_create(c->grid, &c->terms, c->landing, stack_allocator(), NULL, &finder),
+        SF_OK);
     naive_map(c, kind, cost);
     for (int i = 0; i < stack_count(&c->shape); i++) {
         int area = c->shape.nx * c->shape.ny;

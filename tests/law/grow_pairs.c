@@ -58,7 +58,7 @@ static growths growths_new(int nx, int ny, int nz, const sf_rule *rule)
     }
     for (uint32_t s = 0; s < g.t.count; s++) {
         tiny_write(&g.t, grid, s);
-        CHECK_EQ(sf_grid_grow(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+        CHECK_EQ(sf_grid_grow(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
         g.grow[s] = tiny_read(&g.t, grid);
         g.column[s] = by_column(&g.t, s);
         g.need[s] = by_need(&g.t, s);

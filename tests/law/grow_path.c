@@ -69,7 +69,7 @@ static void check_carried(const path_case *c, sf_voxel from, const sf_voxel *pat
     terms.exempt = exempt;
     terms.forbid = terms.act = NULL;
     terms.bed_layer = (uint32_t)c->bed;
-    CHECK_EQ(sf_grid_trim_on(grid, &terms, NULL, NULL, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_grid_trim_on(grid, &terms, stack_allocator(), NULL, NULL, NULL), SF_OK);
     stack_read(&trimmed, grid);
     CHECK(stack_get(&trimmed, (int)from.x, (int)from.y, (int)from.z));
     for (size_t i = 0; i < count; i++) {
@@ -117,7 +117,9 @@ static void check_case(path_case *c, int share)
 {
     sf_path_finder *finder = NULL;
     path_case_open(c);
-    CHECK_EQ(sf_path_finder_create(c->grid, &c->terms, c->landing, NULL, NULL, &finder), SF_OK);
+    CHECK_EQ(
+        sf_path_finder_create(c->grid, &c->terms, c->landing, stack_allocator(), NULL, &finder),
+        SF_OK);
     for (int z = 0; z < c->shape.nz; z++) {
         for (int i = 0; i < c->shape.nx * c->shape.ny; i++) {
             if (share == 1 || test_random_below((uint32_t)share) == 0) {
@@ -234,7 +236,9 @@ static void the_closed_form_of_slack(void)
     c.rule = rule;
     path_case_open(&c);
     sf_path_finder *finder = NULL;
-    CHECK_EQ(sf_path_finder_create(c.grid, &c.terms, SF_LANDING_ANY, NULL, NULL, &finder), SF_OK);
+    CHECK_EQ(
+        sf_path_finder_create(c.grid, &c.terms, SF_LANDING_ANY, stack_allocator(), NULL, &finder),
+        SF_OK);
     for (int t = 1; t < 12; t++) {
         for (int x = 0; x < 24; x++) {
             // Along an axis steps of 0, 1 and 2 voxels cost what they are long.
@@ -265,7 +269,9 @@ static void the_papers_map_passes_through_matter(void)
     sf_path_finder *finder = NULL;
     sf_voxel from = {6, 0, 6}, path[8];
     sf_path p;
-    CHECK_EQ(sf_path_finder_create(c.grid, &c.terms, SF_LANDING_ANY, NULL, NULL, &finder), SF_OK);
+    CHECK_EQ(
+        sf_path_finder_create(c.grid, &c.terms, SF_LANDING_ANY, stack_allocator(), NULL, &finder),
+        SF_OK);
     CHECK_EQ(sf_path_finder_find(finder, from, path, 8, &p), SF_OK);
     CHECK_EQ(p.count, 2);
     CHECK_EQ(p.cost, 2);

@@ -25,7 +25,7 @@ typedef struct counts {
 static counts shape_is_grown(const given *g)
 {
     sf_grow_report r = {0, 0, 0};
-    sf_status status = sf_grid_grow(g->shape, &g->terms, NULL, NULL, NULL, &r);
+    sf_status status = sf_grid_grow(g->shape, &g->terms, stack_allocator(), NULL, NULL, &r);
     counts c = {status, {r.kept_voxels, r.added_voxels, r.bed_layer}};
     return c;
 }
@@ -46,7 +46,7 @@ static counts shape_is_repaired(const given *g)
     options.terms = g->terms;
     options.add_cost = a;
     options.remove_cost = r;
-    sf_status status = sf_grid_repair(g->shape, &options, NULL, NULL, NULL, &out);
+    sf_status status = sf_grid_repair(g->shape, &options, stack_allocator(), NULL, NULL, &out);
     counts c = {status,
                 {out.added_voxels, out.removed_voxels, out.cost, out.first_cost, out.trim_cost,
                  out.grow_cost, out.culprit_count, out.bed_layer}};

@@ -116,7 +116,7 @@ static inline void path_case_open(path_case *c)
     CHECK_EQ(sf_grid_trim_on(trimmed,
                              &(sf_terms){c->terms.struct_size, c->rule, c->bed_layer, c->masks[0],
                                          NULL, NULL, NULL},
-                             NULL, NULL, NULL, NULL),
+                             stack_allocator(), NULL, NULL, NULL),
              SF_OK);
     stack_read(&c->alive, trimmed);
     sf_grid_destroy(trimmed);

@@ -261,8 +261,8 @@ static inline int stack_is_support_free(const stack *s, const sf_rule *rule, uin
 // To and from the library
 // ---------------------------------------------------------------------------------------------
 
-// Where grids of stacks live, and what calls take their memory from: it is full of 0xdb, so who
-// counts on zeros, or reads past the last word of a row, finds something else.
+// Where grids of stacks live, and what calls take their memory from: it is full of other bytes each
+// time, so who counts on zeros, or reads past the last word of a row, finds something else.
 static failing_allocator stack_memory;
 
 static inline const sf_allocator *stack_allocator(void)

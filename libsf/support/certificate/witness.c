@@ -182,19 +182,8 @@ static sf_status note_exempt(sweep *s, uint32_t k, sf_slice solid, sf_slice exem
 // The front of layer k, and what of it needs no bridge.
 static sf_status carry_layer(sweep *s, uint32_t k, uint32_t bed, sf_slice solid, sf_slice exempt)
 {
-    sfi_front below = s->fronts[(k + 1) % 2], front = s->fronts[k % 2];
-    if (k > bed) {
-        return sfi_carry(&s->carrier, k, &below, solid, exempt, front, s->own);
-    }
-    if (k == bed) {
-        SF_TRY(sfi_carry_bed(&s->carrier, solid, front));
-    } else if (exempt.words != NULL) {
-        SF_TRY(sf_slice_and(front.alive, solid, exempt));
-    } else {
-        sf_rect all = {0, 0, solid.width, solid.height};
-        SF_TRY(sf_slice_fill(front.alive, all, 0));
-    }
-    return sf_slice_copy(s->own, front.alive);
+    return sfi_carry_layer(&s->carrier, k, bed, &s->fronts[(k + 1) % 2], solid, exempt,
+                           s->fronts[k % 2], s->own);
 }
 
 static sf_status refuse(sweep *s, uint32_t k, sf_slice solid, sf_fault *fault)

@@ -32,16 +32,8 @@ typedef struct sweep {
 // What of layer k is alive by what lies below it, or exempt.
 static sf_status carry_layer(sweep *s, uint32_t k, sf_slice solid, sfi_front front)
 {
-    sf_slice exempt = sfi_mask_slice(s->terms->exempt, k);
-    if (k == s->ground.bed) {
-        return sfi_carry_bed(&s->carrier, solid, front);
-    }
-    if (k > s->ground.bed) {
-        return sfi_carry(&s->carrier, k, &s->fronts[(k + 1) % 2], solid, exempt, front,
-                         SFI_NO_SLICE);
-    }
-    sfi_slice_clear(front.alive); // below the bed nothing is carried
-    return exempt.words != NULL ? sf_slice_and(front.alive, solid, exempt) : SF_OK;
+    return sfi_carry_layer(&s->carrier, k, s->ground.bed, &s->fronts[(k + 1) % 2], solid,
+                           sfi_mask_slice(s->terms->exempt, k), front, SFI_NO_SLICE);
 }
 
 static sf_status find(sweep *s, sf_task *task)

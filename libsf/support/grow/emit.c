@@ -122,8 +122,7 @@ static sf_status trim_layer(emission *e, uint32_t z, const sfi_front *below, sfi
     SF_TRY(e->site.terms.exempt != NULL
                ? sf_slice_or(held, here, sf_grid_slice(e->site.terms.exempt, z))
                : sf_slice_copy(held, here));
-    SF_TRY(z == e->site.bed ? sfi_carry_bed(&e->carrier, solid, front)
-                            : sfi_carry(&e->carrier, z, below, solid, held, front, SFI_NO_SLICE));
+    SF_TRY(sfi_carry_layer(&e->carrier, z, e->site.bed, below, solid, held, front, SFI_NO_SLICE));
     if (is_brushed) {
         uint64_t before = sf_slice_popcount(added);
         SF_TRY(sf_slice_subtract(added, front.alive, here));

@@ -18,24 +18,6 @@
 // What is alive, and its slack
 // ---------------------------------------------------------------------------------------------
 
-// Layer k of a field, over the front of the layer below.
-static sf_status fill_layer(const sfi_carrier *carrier, const sfi_front *below, sf_slice solid,
-                            sf_slice exempt, uint32_t k, uint32_t bed, sfi_front front,
-                            sf_slice own)
-{
-    if (k == bed) {
-        SF_TRY(sfi_carry_bed(carrier, solid, front));
-        return own.words != NULL ? sf_slice_copy(own, solid) : SF_OK;
-    }
-    if (k > bed) {
-        return sfi_carry(carrier, k, below, solid, exempt, front, own);
-    }
-    sf_rect all = {0, 0, solid.width, solid.height};
-    SF_TRY(exempt.words != NULL ? sf_slice_and(front.alive, solid, exempt)
-                                : sf_slice_fill(front.alive, all, 0));
-    return own.words != NULL ? sf_slice_copy(own, front.alive) : SF_OK;
-}
-
 // The codes of layer k: in the field, or of two layers by turns on their way into a reserve.
 static uint8_t *codes_of(const sfi_field *field, uint8_t *turns, size_t bytes, uint32_t k)
 {
@@ -56,9 +38,9 @@ static sf_status fill_layers(const sfi_field *field, const sf_grid *solid, const
             return SF_ERR_CANCELLED;
         }
         sfi_front front = {sf_grid_slice(field->alive, k), codes_of(field, turns, bytes, k)};
-        SF_TRY(fill_layer(carrier, &below, sf_grid_slice(solid, k),
-                          sfi_mask_slice(terms->exempt, k), k, bed, front,
-                          sfi_mask_slice(field->own, k)));
+        SF_TRY(sfi_carry_layer(carrier, k, bed, &below, sf_grid_slice(solid, k),
+                               sfi_mask_slice(terms->exempt, k), front,
+                               sfi_mask_slice(field->own, k)));
         if (turns != NULL) {
             SF_TRY(sfi_reserve_add(field->reserve, k, &front));
         }

@@ -28,17 +28,7 @@ static sf_status make_front(const sfi_history *h, uint32_t k, const sfi_front *b
                             sfi_front front)
 {
     sf_slice solid = sf_grid_slice(h->shape, k), exempt = sfi_mask_slice(h->terms->exempt, k);
-    if (k == h->bed) {
-        return sfi_carry_bed(&h->carrier, solid, front);
-    }
-    if (k > h->bed) {
-        return sfi_carry(&h->carrier, k, below, solid, exempt, front, SFI_NO_SLICE);
-    }
-    // Below the bed nothing is alive but what is exempt; what it carries nobody asks, because the
-    // bed carries itself.
-    sf_rect all = {0, 0, solid.width, solid.height};
-    SF_TRY(sf_slice_fill(front.alive, all, 0));
-    return exempt.words == NULL ? SF_OK : sf_slice_and(front.alive, solid, exempt);
+    return sfi_carry_layer(&h->carrier, k, h->bed, below, solid, exempt, front, SFI_NO_SLICE);
 }
 
 // The front that layer k has in a block of its own.

@@ -100,9 +100,8 @@ static sf_status fill_codes(sparing *s)
     for (uint32_t k = s->bed; k < t->lattice.nz; k++) {
         sf_slice solid = sf_grid_slice(t->grid, k), exempt = sfi_mask_slice(t->terms->exempt, k);
         sfi_front front = fronts[k % 2];
-        SF_TRY(k == s->bed ? sfi_carry_bed(&carrier, solid, front)
-                           : sfi_carry(&carrier, k, &fronts[(k + 1) % 2], solid, exempt, front,
-                                       SFI_NO_SLICE));
+        SF_TRY(sfi_carry_layer(&carrier, k, s->bed, &fronts[(k + 1) % 2], solid, exempt, front,
+                               SFI_NO_SLICE));
         if (k >= t->first) {
             memcpy(sfi_trial_codes(t, k, 0), front.slack, t->layer_bytes);
         }

@@ -60,11 +60,8 @@ static int layer_stands(probe *p, uint32_t k)
     sf_slice solid = sf_grid_slice(p->result, k);
     sfi_front below = p->fronts[(k + 1) % 2], front = p->fronts[k % 2];
     p->budget -= (int64_t)solid.width * solid.height;
-    if (k == p->job->bed) {
-        return sfi_carry_bed(&p->carrier, solid, front) == SF_OK;
-    }
-    return sfi_carry(&p->carrier, k, &below, solid, sfi_mask_slice(p->full->exempt, k), front,
-                     SFI_NO_SLICE) == SF_OK &&
+    return sfi_carry_layer(&p->carrier, k, p->job->bed, &below, solid,
+                           sfi_mask_slice(p->full->exempt, k), front, SFI_NO_SLICE) == SF_OK &&
            sf_slice_equal(front.alive, solid);
 }
 

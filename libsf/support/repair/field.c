@@ -36,8 +36,7 @@ static sf_status sweep_field(const sfi_job *job, const sfi_price *p, const sf_gr
         sf_slice solid = sf_grid_slice(grid, k), exempt = sfi_mask_slice(job->exempt, k);
         const sfi_front *front = &fronts[k % 2], *below = &fronts[(k + 1) % 2];
         SF_TRY(sfi_sweep_layer(&sweep));
-        SF_TRY(k == job->bed ? sfi_carry_bed(carrier, solid, *front)
-                             : sfi_carry(carrier, k, below, solid, exempt, *front, SFI_NO_SLICE));
+        SF_TRY(sfi_carry_layer(carrier, k, job->bed, below, solid, exempt, *front, SFI_NO_SLICE));
         keep_codes(job, front, p, k, codes);
     }
     return SF_OK;

@@ -124,10 +124,23 @@ static void settle_codes(sfi_front front, uint8_t least)
     }
 }
 
+// Codes of living voxels become `code`, and all others 0, whatever they were.
+static void set_codes(sfi_front front, uint8_t code)
+{
+    for (uint32_t y = 0; front.slack != NULL && y < front.alive.height; y++) {
+        const uint64_t *row = sfi_slice_row(front.alive, y);
+        uint8_t *codes = codes_of(front, y);
+        for (size_t x = 0; x < sfi_row_words(front.alive.width) * 64; x += 8) {
+            uint64_t mask = sfi_spread_bits(row[x / 64] >> (x % 64));
+            sfi_store_bytes(codes + x, mask & code * UINT64_C(0x0101010101010101));
+        }
+    }
+}
+
 sf_status sfi_carry_bed(const sfi_carrier *carrier, sf_slice solid, sfi_front front)
 {
     SF_TRY(sf_slice_copy(front.alive, solid));
-    settle_codes(front, (uint8_t)(carrier->rule.slack_cap + 1));
+    set_codes(front, (uint8_t)(carrier->rule.slack_cap + 1));
     return SF_OK;
 }
 
@@ -184,4 +197,27 @@ sf_status sfi_carry(const sfi_carrier *carrier, uint32_t k, const sfi_front *bel
     SF_TRY(sf_slice_or(front.alive, alone.alive, carrier->gaps));
     settle_codes(front, 1);
     return own.words == NULL ? SF_OK : sf_slice_copy(own, alone.alive);
+}
+
+// Below the bed: nothing is alive but what is exempt, and that has no slack.
+static sf_status carry_exempt(sf_slice solid, sf_slice exempt, sfi_front front)
+{
+    if (exempt.words != NULL) {
+        SF_TRY(sf_slice_and(front.alive, solid, exempt));
+    } else {
+        sfi_slice_clear(front.alive);
+    }
+    set_codes(front, 1);
+    return SF_OK;
+}
+
+sf_status sfi_carry_layer(const sfi_carrier *carrier, uint32_t k, uint32_t bed,
+                          const sfi_front *below, sf_slice solid, sf_slice exempt, sfi_front front,
+                          sf_slice own)
+{
+    if (k > bed) {
+        return sfi_carry(carrier, k, below, solid, exempt, front, own);
+    }
+    SF_TRY(k == bed ? sfi_carry_bed(carrier, solid, front) : carry_exempt(solid, exempt, front));
+    return own.words == NULL ? SF_OK : sf_slice_copy(own, front.alive);
 }

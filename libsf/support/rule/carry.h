@@ -50,8 +50,8 @@ sf_status sfi_front_create(const sf_rule *rule, uint32_t width, uint32_t height,
                            const sf_allocator *allocator, sfi_front *front);
 void sfi_front_destroy(sfi_front *front, const sf_rule *rule, const sf_allocator *allocator);
 
-// The front of a slice that rests on the bed: all of it is alive, with all the slack there is.
-// front.alive may be solid.
+// The front of a slice that rests on the bed: all of it is alive, with all the slack there is,
+// whatever was in the front before. front.alive may be solid.
 sf_status sfi_carry_bed(const sfi_carrier *carrier, sf_slice solid, sfi_front front);
 
 // One step: front = what of `solid`, layer k > 0, is alive on `below`, the front of layer k - 1.
@@ -63,8 +63,15 @@ sf_status sfi_carry_bed(const sfi_carrier *carrier, sf_slice solid, sfi_front fr
 sf_status sfi_carry(const sfi_carrier *carrier, uint32_t k, const sfi_front *below, sf_slice solid,
                     sf_slice exempt, sfi_front front, sf_slice own);
 
-// Make all of `solid` alive: what was not has no slack. For a check, which names a fault once and
-// then goes on as if the voxel had been carried. front.alive may be solid.
+// Any layer of a sweep from layer 0 up: layer `bed` rests on the bed, those above it on `below`,
+// and of those below it only what is exempt is alive, with no slack. Else as sfi_carry(); `below`
+// is not read up to the bed.
+sf_status sfi_carry_layer(const sfi_carrier *carrier, uint32_t k, uint32_t bed,
+                          const sfi_front *below, sf_slice solid, sf_slice exempt, sfi_front front,
+                          sf_slice own);
+
+// Make all of `solid` alive, in a front that is made: what was not has no slack. For a check, which
+// names a fault once and then goes on as if the voxel had been carried. front.alive may be solid.
 sf_status sfi_carry_anyway(const sfi_carrier *carrier, sf_slice solid, sfi_front front);
 
 // ---------------------------------------------------------------------------------------------

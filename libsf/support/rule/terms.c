@@ -106,17 +106,8 @@ static void sweep_destroy(sweep *s, const sf_terms *terms, const sf_allocator *a
 static sf_status sweep_layer(const sweep *s, uint32_t k, uint32_t bed, sf_slice solid,
                              sf_slice exempt)
 {
-    sfi_front below = s->fronts[(k + 1) % 2], front = s->fronts[k % 2];
-    if (k == bed) {
-        return sfi_carry_bed(&s->carrier, solid, front);
-    }
-    if (k > bed) {
-        return sfi_carry(&s->carrier, k, &below, solid, exempt, front, SFI_NO_SLICE);
-    }
-    // Below the bed nothing is alive but what is exempt, and that carries nothing.
-    sf_rect all = {0, 0, solid.width, solid.height};
-    SF_TRY(sf_slice_fill(front.alive, all, 0));
-    return exempt.words == NULL ? SF_OK : sf_slice_and(front.alive, solid, exempt);
+    return sfi_carry_layer(&s->carrier, k, bed, &s->fronts[(k + 1) % 2], solid, exempt,
+                           s->fronts[k % 2], SFI_NO_SLICE);
 }
 
 // One layer where the rule is an element and nothing is exempt: bits are all there is, so the

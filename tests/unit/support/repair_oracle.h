@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The oracle of repairs: trim under any rule, slack, bridges and exempt voxels included, voxel by
 // voxel from the sentences of <sf/rule.h>; and random jobs for all of it. The library does them in
-// memory that is full of 0xdb when it comes.
+// memory that is full of something when it comes.
 
 #ifndef SF_TEST_REPAIR_ORACLE_H
 #define SF_TEST_REPAIR_ORACLE_H
