@@ -25,9 +25,11 @@
 // corners, and keeps what they keep. So once inside the inner circle the body stays there, and it
 // comes to rest in a minimum within.
 //
-// An equality would leave it undecided, so the floor is let lean by a tenth of the tolerance, away
-// from the pose: phi becomes phi + tolerance / 10, which keeps what was said above (x (x + g) / (1
-// - x g) is convex and grows). Where c may lie below v, the convex term is left out instead: d . (c
+// An equality would leave it undecided, so the floor is let lean by a tenth of a degree, away from
+// the pose, but by no more than half the tolerance: phi becomes phi + lean, which keeps what was
+// said above (x (x + g) / (1 - x g) is convex and grows). That it does not shrink along with the
+// tolerance makes what is safe for a smaller tolerance safe for a larger. Where c may lie below v,
+// the convex term is left out instead: d . (c
 // - v)_xy >= 0 is asked for as well. Corners that touch within the inner circle are spared that: c
 // is asked to lie above all of them.
 //
@@ -49,7 +51,8 @@
 #include <string.h>
 
 enum { SIDES = 32, STARTS = 16 };
-#define FLOOR_SHARE 0.1
+#define FLOOR_RAD 1.7453292519943295e-3 // a tenth of a degree
+#define FLOOR_SHARE 0.5                 // of the tolerance, at most
 #define FOLDED -0.5 // cosine between normals from which an edge is looked at in two halves
 #define COS_PI_16 0.98078528040323044913
 
@@ -349,13 +352,14 @@ static sf_status ask_all(ring *r)
 
 static sf_status bound(sf_stance *s, const sfi_hull *hull, const double *points)
 {
+    double most = FLOOR_SHARE * s->options.tolerance_rad;
     ring r = {s,
               hull,
               points,
               NULL,
               sfi_tan(s->options.tolerance_rad),
               sfi_tan(s->options.range_rad),
-              sfi_tan(FLOOR_SHARE * s->options.tolerance_rad),
+              sfi_tan(FLOOR_RAD < most ? FLOOR_RAD : most),
               s->ground_mm};
     double middle[3];
     r.normals = sfi_alloc_array(&s->allocator, hull->face_count, 3 * sizeof *r.normals);

@@ -194,8 +194,8 @@ SF_API SF_CHECKED sf_status sf_stance_flatten(const sf_stance *stance, double *v
  * asks for the lever.
  *
  * Rocking, as many as it takes (some twenty) so that from every tilt between the tolerance and the
- * range the body rolls straight towards the pose, on a floor that may lean by a tenth of the
- * tolerance. That is sufficient, not necessary: a body may also come back on a detour. Half-spaces
+ * range the body rolls straight towards the pose, on a floor that may lean by a tenth of a
+ * degree. That is sufficient, not necessary: a body may also come back on a detour. Half-spaces
  * that others imply for all that lies in or near the mesh's box are left out. A centre of mass
  * straight above what touches the ground in the pose, and low enough, is always in all of them, but
  * for the height of the facets within the tolerance.

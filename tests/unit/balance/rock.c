@@ -93,7 +93,7 @@ static double worst_tilt(soup *s, const double com[3], const double up[3], doubl
 // ---------------------------------------------------------------------------------------------
 
 // How high on the axis the centre may lie: each facet beyond the tolerance must be left over its
-// inner edge, also on a floor that leans by a tenth of the tolerance.
+// inner edge, also on a floor that leans by a tenth of a degree.
 static double highest_centre(double half, int facets, double tolerance)
 {
     double least = INFINITY;
@@ -101,7 +101,7 @@ static double highest_centre(double half, int facets, double tolerance)
         double inner = fabs(half * (2.0 * i / facets - 1)) / DEGREES;
         double outer = fabs(half * (2.0 * (i + 1) / facets - 1)) / DEGREES;
         double tilt = 0.5 * (inner + outer), edge = inner < outer ? inner : outer;
-        double high = RADIUS * (1 - cos(edge)) + RADIUS * sin(edge) / tan(tilt + 0.1 * tolerance);
+        double high = RADIUS * (1 - cos(edge)) + RADIUS * sin(edge) / tan(tilt + 0.1 / DEGREES);
         if (tilt > tolerance && tilt <= 20 / DEGREES) {
             least = high < least ? high : least;
         }
@@ -188,6 +188,32 @@ static void safe_bodies_roll_back(void)
     CHECK(safe > 200);
     CHECK(fell > unsafe / 2);
     printf("# %d safe, %d not, of which %d do not come back\n", safe, unsafe, fell);
+}
+
+// Who aims at less than the tolerance ends up within it: what is safe for less is safe for more.
+static void less_tolerance_is_stricter(void)
+{
+    static soup s;
+    int both = 0, only = 0;
+    for (int i = 0; i < 60; i++) {
+        sf_stance_options options = sf_stance_options_default(), less;
+        make_rocker(&s, 10 + 30 * test_random_unit(), 20 + (int)test_random_below(200));
+        options.tolerance_rad = (0.3 + 2 * test_random_unit()) / DEGREES;
+        less = options;
+        less.tolerance_rad -= (i % 2 ? 0.1 : 0.2 * test_random_unit()) / DEGREES;
+        sf_stance *wide = rocking(&s, &options), *narrow = rocking(&s, &less);
+        for (int k = 0; k < 400; k++) {
+            double com[3] = {3 * test_random_unit() - 1.5, 0, 1 + 45 * test_random_unit()};
+            int is_narrow = verdict_of(narrow, com).safe, is_wide = verdict_of(wide, com).safe;
+            CHECK(!is_narrow || is_wide);
+            both += is_narrow && is_wide;
+            only += is_wide && !is_narrow;
+        }
+        sf_stance_destroy(wide);
+        sf_stance_destroy(narrow);
+    }
+    CHECK(both > 1000 && only > 100);
+    printf("# %d safe for both, %d for the wider\n", both, only);
 }
 
 // As low as it gets is always good: just above the contact, whatever the body.
@@ -313,6 +339,7 @@ int main(void)
 {
     TEST(a_rocker_comes_to_rest_upright);
     TEST(safe_bodies_roll_back);
+    TEST(less_tolerance_is_stricter);
     TEST(low_enough_is_always_good);
     TEST(a_box_rocks_like_it_stands);
     TEST(a_plate_rocks_like_it_stands);

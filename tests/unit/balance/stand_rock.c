@@ -111,6 +111,7 @@ static void a_carved_rocker_comes_to_rest_upright(void)
         printf("# a rocker, %s: rests at %.2f, then %.2f degrees at worst; safe %d\n",
                m == 0 ? "planes" : "support-free", before, after, r.safe);
         CHECK(before > 2 && after <= 1);
+        CHECK(r.safe && r.stands);
 
         sf_stand_destroy(stand);
         sf_mesh_destroy(mesh);
