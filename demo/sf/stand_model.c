@@ -142,6 +142,7 @@ static exit_status choose(cli_job *job, model *m)
     o->carve_mode = asked->stand.carve;
     o->solver = asked->stand.solver;
     o->mu = asked->stand.mu;
+    o->shift_max_mm = asked->stand.shift_max_mm;
     o->rule = asked->rule;
     o->angle_rad = asked->angle_rad;
     if (asked->given & OPTION_NO_LAPLACIAN) {
@@ -268,7 +269,7 @@ exit_status model_run(cli_job *job, model *m)
 
 int model_holds(const model *m)
 {
-    return m->report.safe &&
+    return m->report.succeeded &&
            (m->drilled.after == NULL || (m->drilled.safe && m->drilled.report.closed_count == 0));
 }
 

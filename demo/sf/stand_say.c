@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #define ROUNDING 1e-9 // of the size: less than that is none
+#define SUNK 1e-4     // of the size: less than that is close enough, as <sf/stand.h> says
 #define DEGREES (180 / 3.14159265358979323846)
 
 static const char *const kinds[] = {
@@ -153,6 +154,7 @@ static void report_fields(const cli_job *job, const model *m)
     report_axes(job, m);
     report_flag(r, "stands", done->stands);
     report_flag(r, "safe", done->safe);
+    report_flag(r, "succeeded", model_holds(m));
     report_number(r, "margin_deg", done->margin_rad * DEGREES);
     report_number(r, "margin_before_deg", done->margin_before_rad * DEGREES);
     if (has_bound(m)) {
@@ -266,14 +268,15 @@ static void warn(cli_job *job, const model *m)
 {
     const sf_stand_report *done = &m->report;
     if (done->folded > 0) {
-        job_warn(job, "It is folded over in %llu places.", (unsigned long long)done->folded);
+        job_warn(job, "It is folded over in %llu places, which nobody can print.",
+                 (unsigned long long)done->folded);
     }
     if (done->overlap_voxels > 0) {
         job_warn(job, "It runs into itself, in %llu voxels.",
                  (unsigned long long)done->overlap_voxels);
     }
-    if (done->sunk_mm > ROUNDING * m->size_mm) {
-        job_warn(job, "A part that does not stand on the ground is %.3g mm too low.",
+    if (done->sunk_mm > SUNK * m->size_mm) {
+        job_warn(job, "What must stay clear of the ground comes %.3g mm too close to it.",
                  done->sunk_mm);
     }
 }

@@ -92,6 +92,8 @@ int stand_values_parse(uint64_t bit, const char *text, stand_values *made)
         return good;
     case OPTION_MU:
         return parse_between(text, 0, 1, &made->mu);
+    case OPTION_MAX_SHIFT:
+        return parse_between(text, 0, 1e6, &made->shift_max_mm) && made->shift_max_mm > 0;
     case OPTION_CONTACTS:
         return parse_contacts(text, made);
     case OPTION_SUSPEND:

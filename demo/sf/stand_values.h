@@ -17,6 +17,7 @@ typedef struct stand_values {
     const char *stances;    // a file, or NULL
     const char *handles;    // a file, or NULL
     uint32_t handle_count;  // to place by themselves, where there is no file
+    double shift_max_mm;    // that a handle may move; 0: the library's default
     sf_carve_mode carve;
     sf_stand_solver solver;
     double mu;

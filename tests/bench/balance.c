@@ -164,7 +164,7 @@ static void start_again(void *user)
 static void step(void *user)
 {
     bend_work *w = user;
-    sfi_freedom freedom = {w->free, 0.7, 1.4};
+    sfi_freedom freedom = {w->free, 0.7, 1.4, 1e9, 0.3};
     sfi_sqp_report report;
     bench_must(sfi_sqp_run(&w->posture, &freedom, 4, &w->allocator, NULL, w->poses, &report));
 }

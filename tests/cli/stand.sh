@@ -94,7 +94,7 @@ done
 
 # Printed another way up than it stands: gravity's up decides, and all is in the axes of the input.
 exits 0 stand tower.obj --up +z --build +x --wall 1 --resolution 32 --pixels 200,150 -o other --json
-same "$(value safe) $(value up) $(value build) $(value cavity_support_free)" "true +z +x true" "printed along x it stands along z"
+same "$(value succeeded) $(value safe) $(value up) $(value build) $(value cavity_support_free)" "true true +z +x true" "printed along x it stands along z"
 near "$(value margin_deg)" "$(tipped 3 other_outer.stl other_inner.stl)" 0.01 "by the margin of its meshes"
 near "$(value com_before_mm.0)" 14 1e-9 "with places in the axes of the input"
 
@@ -248,6 +248,8 @@ exits 2 stand block.obj --gamma 81
 exits 2 stand block.obj --handles auto:64
 exits 2 stand block.obj --carve whole
 exits 2 stand block.obj --mu 0.5
+exits 2 stand block.obj --max-shift 0
+exits 2 stand block.obj --max-shift 2 --solver paper
 exits 2 stand block.obj --pitch 1,1,2
 exits 2 stand block.obj --rest -o rest
 exits 2 stand block.obj --stance stances.json --gamma 3

@@ -4,10 +4,12 @@
 //     E = (1 - mu) sum over stances of |(c - c*)_h|^2 / 2 size^2  +  mu E_shape / 2
 //
 // with c* the point of the safe region that is closest to the centre of mass c, at c's height: so
-// is the target found anew at every step. A step that does not make E less by a hundredth is taken
-// back, and the next is shorter by a fifth; when steps have come down to 0.4 of the first, the
-// shape is taken to hold the balance back, and mu falls by 0.05; when it is used up, nothing can be
-// improved. This is a comparison and an oracle for balance/bend/sqp.h, which needs no schedule.
+// is the target found anew at every step. Where nothing is safe at that height, of which the paper
+// says nothing, it is the point that is closest to being so. A step that does not make E less by a
+// hundredth is taken back, and the next is shorter by a fifth; when steps have come down to 0.4 of
+// the first, the shape is taken to hold the balance back, and mu falls by 0.05; when it is used up,
+// nothing can be improved. This is a comparison and an oracle for balance/bend/sqp.h, which needs
+// no schedule.
 //
 // The paper starts with steps of 1 in units that it does not give. Here 1 is the longest step that
 // cannot overshoot where E is quadratic: one over the largest curvature, found by power iteration.
@@ -16,8 +18,7 @@
 
 #include "balance/bend/descent.h"
 
-#include "balance/bend/quadratic.h"
-#include "balance/stance/stance.h"
+#include "balance/stance/target.h"
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
@@ -32,6 +33,7 @@
 #define MU_STEP 0.05
 #define ENOUGH 0.01
 #define NOTHING 1e-14 // what the sum may change by rounding alone
+#define REACH 1e3     // in sizes: no target lies farther away
 enum { POWER_ROUNDS = 40 };
 
 typedef struct run {
@@ -44,6 +46,7 @@ typedef struct run {
     size_t memory_count;
     double *gradient, *hessian, *change, *vector, *image;
     double *lever, *by_coefficients; // one direction of the centre of mass by parameters
+    double *sections;                // scratch for targets
     sf_pose *tried;
 } run;
 
@@ -55,11 +58,15 @@ sfi_descent sfi_descent_begin(double mu)
 
 static sf_status make_run(run *r)
 {
-    size_t handles = r->posture->energy->handle_count;
+    size_t handles = r->posture->energy->handle_count, sections = 0;
     r->all = SFI_POSE_SIZE * handles;
     SF_TRY(sfi_posture_scratch_make(r->posture, &r->allocator, &r->scratch));
+    for (size_t k = 0; k < r->posture->standing_count; k++) {
+        size_t one = sfi_base_scratch(r->posture->standings[k].safe_count);
+        sections = one > sections ? one : sections;
+    }
     if (!sfi_size_mul(r->all, r->all, &r->memory_count) ||
-        !sfi_size_add(r->memory_count, 5 * r->all + 12 * handles, &r->memory_count)) {
+        !sfi_size_add(r->memory_count, 5 * r->all + 12 * handles + sections, &r->memory_count)) {
         return SF_ERR_MEMORY;
     }
     r->memory = sfi_alloc_array(&r->allocator, r->memory_count, sizeof *r->memory);
@@ -74,6 +81,7 @@ static sf_status make_run(run *r)
     r->image = sfi_cut(&at, r->all);
     r->lever = sfi_cut(&at, r->all);
     r->by_coefficients = sfi_cut(&at, 12 * handles);
+    r->sections = sfi_cut(&at, sections);
     r->hessian = at;
     return SF_OK;
 }
@@ -85,31 +93,16 @@ static void free_run(run *r)
     sfi_free_array(&r->allocator, r->tried, r->posture->energy->handle_count, sizeof *r->tried);
 }
 
-// How far c must move along the two axes into the safe region at its height; 0 where it is inside,
-// or where at this height the region is empty.
-static sf_status find_way(const run *r, const sfi_standing *s, const double c[3], double axes[2][3],
-                          double way[2])
+// Where c should go at its height, along the two axes across up.
+static void find_way(const run *r, const sfi_standing *s, const double c[3], double axes[2][3],
+                     double way[2])
 {
-    const double identity[4] = {1, 0, 0, 1}, zero[2] = {0, 0};
-    double *rows = sfi_alloc_array(&r->allocator, s->safe_count, 3 * sizeof *rows);
-    if (rows == NULL) {
-        return SF_ERR_MEMORY;
-    }
-    double *bounds = rows + 2 * s->safe_count;
-    for (size_t i = 0; i < s->safe_count; i++) {
-        const sf_halfspace *h = &r->posture->safe[s->safe_first + i];
-        rows[2 * i] = sfi_dot(h->normal, axes[0]);
-        rows[2 * i + 1] = sfi_dot(h->normal, axes[1]);
-        bounds[i] = h->offset_mm - sfi_dot(h->normal, c);
-    }
-    sfi_quadratic program = {2, identity, zero, s->safe_count, rows, bounds};
-    sf_status status = sfi_quadratic_solve(&program, &r->allocator, way, NULL);
-    if (status == SF_ERR_INFEASIBLE) {
-        way[0] = way[1] = 0;
-        status = SF_OK;
-    }
-    sfi_free_array(&r->allocator, rows, s->safe_count, 3 * sizeof *rows);
-    return status;
+    sfi_base base = {
+        {s->up[0], s->up[1], s->up[2]}, r->posture->safe + s->safe_first, s->safe_count};
+    sfi_base_across(&base, axes);
+    sfi_offset to =
+        sfi_base_target(&base, c, SFI_TARGET_NEAREST, REACH * r->posture->size_mm, r->sections);
+    memcpy(way, to.along, sizeof to.along);
 }
 
 // lever = derivatives of axis . c / size by the parameters, 0 for those that are not free.
@@ -158,8 +151,7 @@ static sf_status sum_up(run *r, const sfi_posture_state *state, double mu, const
     }
     for (size_t k = 0; k < r->posture->standing_count; k++) {
         double axes[2][3], way[2];
-        sfi_frame_around(r->posture->standings[k].up, axes[0], axes[1]);
-        SF_TRY(find_way(r, &r->posture->standings[k], com, axes, way));
+        find_way(r, &r->posture->standings[k], com, axes, way);
         for (int a = 0; a < 2; a++) {
             *value += 0.5 * (1 - mu) * (way[a] / size) * (way[a] / size);
             if (!derive) {

@@ -28,9 +28,10 @@
 #include <math.h>
 #include <string.h>
 
-// Price of missing rows by 1, in the program; the longest step of an unknown; halvings of a step.
+// Price of missing rows by 1, in the program.
 #define MISSING_PRICE 1e4
-#define STEP_MAX 0.3
+enum { AMOUNTS = 2 }; // of the safe set, of everything else
+// Halvings of a step.
 #define HALVINGS 10
 // Added to the curvature: what no energy holds back must not run away.
 #define RIDGE 1e-6
@@ -44,7 +45,7 @@ typedef struct run {
     sf_allocator allocator;
     sf_task *task;
     sfi_posture_scratch scratch;
-    size_t handles, free_count, unknowns; // unknowns: those that are free, then two amounts missed
+    size_t handles, free_count, unknowns; // unknowns: those that are free, then AMOUNTS missed
     size_t *parameters;                   // of each free unknown
     double *memory;
     double *gradient, *hessian; // of the energy by all parameters
@@ -60,6 +61,12 @@ static int is_scale(size_t parameter)
     return parameter % SFI_POSE_SIZE == SFI_POSE_SCALE;
 }
 
+static int is_shift(size_t parameter)
+{
+    size_t kind = parameter % SFI_POSE_SIZE;
+    return kind >= SFI_POSE_SHIFT && kind < SFI_POSE_TURN;
+}
+
 static double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -73,8 +80,7 @@ static double greater(double a, double b)
 // What an unknown of 1 is in units of its parameter.
 static double unit_of(const run *r, size_t parameter)
 {
-    size_t kind = parameter % SFI_POSE_SIZE;
-    return kind >= SFI_POSE_SHIFT && kind < SFI_POSE_TURN ? r->posture->size_mm : 1;
+    return is_shift(parameter) ? r->posture->size_mm : 1;
 }
 
 // --- Memory --------------------------------------------------------------------------------------
@@ -133,7 +139,7 @@ static sf_status make_run(run *r, const sf_pose *poses)
             r->parameters[r->free_count++] = p;
         }
     }
-    r->unknowns = r->free_count + 2;
+    r->unknowns = r->free_count + AMOUNTS;
     memcpy(r->poses, poses, r->handles * sizeof *poses);
     return take_numbers(r);
 }
@@ -187,22 +193,33 @@ static void write_bound(run *r, size_t row, size_t unknown, double sign, double 
     r->bounds[row] = bound;
 }
 
+// Narrow a step from `now` to what ends between two bounds; from beyond them it may not go on.
+static void keep_within(double least, double most, double now, double *low, double *high)
+{
+    *low = lesser(greater(*low, least - now), 0);
+    *high = greater(lesser(*high, most - now), 0);
+}
+
 // How far each unknown may go; what is missed is never less than nothing.
 static size_t write_bounds(run *r, size_t row)
 {
     for (size_t i = 0; i < r->free_count; i++) {
         size_t p = r->parameters[i];
-        double low = -STEP_MAX, high = STEP_MAX;
+        double low = -r->freedom->step_max, high = r->freedom->step_max;
+        const sf_pose *pose = &r->poses[p / SFI_POSE_SIZE];
         if (is_scale(p)) {
-            double scale = r->poses[p / SFI_POSE_SIZE].scale;
-            low = lesser(greater(low, r->freedom->scale_low - scale), 0);
-            high = greater(lesser(high, r->freedom->scale_high - scale), 0);
+            keep_within(r->freedom->scale_low, r->freedom->scale_high, pose->scale, &low, &high);
+        } else if (is_shift(p)) {
+            double most = r->freedom->shift_max_mm / r->posture->size_mm;
+            double shift = pose->shift_mm[p % SFI_POSE_SIZE - SFI_POSE_SHIFT];
+            keep_within(-most, most, shift / r->posture->size_mm, &low, &high);
         }
         write_bound(r, row++, i, 1, low);
         write_bound(r, row++, i, -1, -high);
     }
-    write_bound(r, row++, r->free_count, 1, 0);
-    write_bound(r, row++, r->free_count + 1, 1, 0);
+    for (size_t i = 0; i < AMOUNTS; i++) {
+        write_bound(r, row++, r->free_count + i, 1, 0);
+    }
     return row;
 }
 

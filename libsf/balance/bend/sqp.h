@@ -10,6 +10,8 @@
 typedef struct sfi_freedom {
     const uint8_t *free;          // of each parameter, 7 a handle: 1 where it may change
     double scale_low, scale_high; // bounds of scales that are free
+    double shift_max_mm;          // and of shifts, along each axis
+    double step_max; // longest step: of a scale, a shift over the size, a turn in radians
 } sfi_freedom;
 
 typedef struct sfi_sqp_report {

@@ -34,8 +34,8 @@ static sf_status fill(const sf_stance *const *stances, sfi_bases *made)
         sf_stance_options options = sf_stance_get_options(stances[i]);
         memcpy(base->up, options.up, sizeof base->up);
         base->halfspaces = made->halfspaces + used;
-        SF_TRY(sf_stance_halfspaces(stances[i], base->halfspaces, made->halfspace_count - used,
-                                    &base->count));
+        SF_TRY(sf_stance_halfspaces(stances[i], made->halfspaces + used,
+                                    made->halfspace_count - used, &base->count));
         used += base->count;
     }
     return SF_OK;

@@ -6,7 +6,7 @@
 
 #include <sf/stance.h>
 
-#include "balance/carve/target.h"
+#include "balance/stance/target.h"
 
 typedef struct sfi_bases {
     sfi_base *bases;

@@ -6,7 +6,7 @@
 
 #include <sf/carve.h>
 
-#include "balance/carve/target.h"
+#include "balance/stance/target.h"
 
 typedef struct sfi_carving {
     const sf_grid *solid;

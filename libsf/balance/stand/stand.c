@@ -36,8 +36,7 @@ sf_stand_options sf_stand_options_default(void)
                                 .weight_scales = 0.05,
                                 .scale_low = 0.7,
                                 .scale_high = 1.4,
-                                .reserve_rad = 0.1 * DEGREE_RAD,
-                                .rounds_max = 40};
+                                .reserve_rad = 0.1 * DEGREE_RAD};
     return options;
 }
 
@@ -55,8 +54,9 @@ static const char *find_fault(const sf_stand_options *o)
         return "the options have no struct_size; make them with sf_stand_options_default()";
     }
     if (!is_within(o->pitch_mm, 0, 1e9) || !is_within(o->wall_mm, 0, 1e9) ||
-        !is_within(o->clearance_mm, 0, 1e9)) {
-        return "pitch, wall and clearance are lengths in mm, 0 for the default, at most 1e9";
+        !is_within(o->clearance_mm, 0, 1e9) || !is_within(o->shift_max_mm, 0, 1e9)) {
+        return "pitch, wall, clearance and the longest shift are lengths in mm, 0 for the default, "
+               "at most 1e9";
     }
     if ((int)o->carve_mode < 0 || o->carve_mode > SF_CARVE_PLANE || (int)o->solver < 0 ||
         o->solver > SF_STAND_DESCENT) {
@@ -76,8 +76,8 @@ static const char *find_fault(const sf_stand_options *o)
     if (!is_within(o->reserve_rad, 0, 0.2)) {
         return "the reserve is an angle of 0 to 0.2 radians";
     }
-    if (o->strut_width_vx < 1 || o->strut_width_vx > SF_REACH_MAX || o->rounds_max < 1) {
-        return "struts are 1 to 255 voxels wide, and there is at least one round";
+    if (o->strut_width_vx < 1 || o->strut_width_vx > SF_REACH_MAX) {
+        return "struts are 1 to 255 voxels wide";
     }
     if (o->ballast_count > 0 && o->ballast == NULL) {
         return "there is a number of masses, but no array of them";
@@ -163,6 +163,10 @@ static sf_status take_sizes(sf_mesh_view mesh, sf_stand *s)
     o->pitch_mm = o->pitch_mm > 0 ? o->pitch_mm : SIXTY_FOURTH * s->size_mm;
     o->wall_mm = o->wall_mm > 0 ? o->wall_mm : 0.01 * s->size_mm;
     o->clearance_mm = o->clearance_mm > 0 ? o->clearance_mm : 0.01 * s->size_mm;
+    o->shift_max_mm = o->shift_max_mm > 0 ? o->shift_max_mm : 0.5 * s->size_mm;
+    if (o->rounds_max == 0) {
+        o->rounds_max = o->solver == SF_STAND_DESCENT ? 400 : 40;
+    }
     return SF_OK;
 }
 
@@ -312,7 +316,9 @@ sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, const sf_pose *pose,
     }
     stand->report.ended = 0;
     stand->idle = 0;
-    stand->best_is_safe = 0;
+    stand->first_round = stand->report.rounds;
+    stand->descent = sfi_descent_begin(stand->options.mu);
+    stand->best_rank = 0;
     stand->best_margin_rad = -INFINITY;
     return SF_OK;
 }

@@ -66,8 +66,8 @@ struct sf_stand {
     // The best round, and how many there were since.
     sf_pose *best;
     double best_energy, best_margin_rad;
-    uint32_t idle;
-    int best_is_safe;
+    uint32_t idle, first_round; // first_round: how many there were when poses were last set
+    int best_rank;              // 2: as was asked; 1: not folded; 0
 };
 
 // Whether handles may move at all.

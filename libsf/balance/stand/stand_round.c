@@ -111,6 +111,40 @@ static void make_scene(const sf_stand *s, scene *made)
     made->posture = posture;
 }
 
+// Steps from the poses of before, none of an unknown longer than `longest`.
+static sf_status solve(const sf_stand *s, const sfi_posture *posture, uint32_t steps,
+                       double longest, sf_task *task, attempt *a)
+{
+    sfi_freedom freedom = {s->free, s->options.scale_low, s->options.scale_high,
+                           s->options.shift_max_mm, longest};
+    sfi_sqp_report report;
+    memcpy(a->poses, s->poses, s->handle_count * sizeof *a->poses);
+    SF_TRY(sfi_sqp_run(posture, &freedom, steps, &s->allocator, task, a->poses, &report));
+    a->steps += report.steps;
+    return SF_OK;
+}
+
+// Steps watch some places of the solid, and may fold it between them: then fewer are taken, then
+// shorter ones, in the end none.
+static sf_status solve_unfolded(const sf_stand *s, const sfi_posture *posture, sf_task *task,
+                                attempt *a)
+{
+    static const struct {
+        uint32_t steps;
+        double longest;
+    } tries[] = {{STEPS, 0.3}, {6, 0.3}, {3, 0.3}, {3, 0.1}, {3, 0.03}, {3, 0.01}};
+    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+        sf_fold fold;
+        SF_TRY(solve(s, posture, tries[i].steps, tries[i].longest, task, a));
+        SF_TRY(sf_weights_fold(s->field, a->poses, task, &fold));
+        if (fold.folded == 0 || s->report.folded > 0) {
+            return SF_OK;
+        }
+    }
+    memcpy(a->poses, s->poses, s->handle_count * sizeof *a->poses);
+    return SF_OK;
+}
+
 static sf_status move_handles(const sf_stand *s, sf_task *task, attempt *a)
 {
     scene made;
@@ -121,11 +155,7 @@ static sf_status move_handles(const sf_stand *s, sf_task *task, attempt *a)
         return sfi_descent_step(&made.posture, s->free, &s->allocator, task, &a->descent, a->poses,
                                 &state);
     }
-    sfi_freedom freedom = {s->free, s->options.scale_low, s->options.scale_high};
-    sfi_sqp_report report;
-    SF_TRY(sfi_sqp_run(&made.posture, &freedom, STEPS, &s->allocator, task, a->poses, &report));
-    a->steps = report.steps;
-    return SF_OK;
+    return solve_unfolded(s, &made.posture, task, a);
 }
 
 // How far the lowest of the vertices that must stay clear of the ground lies too low.
@@ -230,38 +260,41 @@ static sf_status describe(const sf_stand *s, sf_task *task, const attempt *a,
         r.displacement_mm = furthest(s, a->bent);
         r.energy = sfi_stand_energy(s, a->poses);
     }
+    r.succeeded =
+        r.safe && (!sfi_stand_bends(s) || (r.folded == 0 && r.sunk_mm <= SUNK_NONE * s->size_mm));
     *report = r;
     return SF_OK;
 }
 
 // --- The end of rounds ---------------------------------------------------------------------------
 
-static int is_good(const sf_stand *s, const sf_stand_report *r)
+// What is folded over is worse than what falls: it is no solid.
+static int rank_of(const sf_stand_report *r)
 {
-    return r->safe && (!sfi_stand_bends(s) || r->sunk_mm <= SUNK_NONE * s->size_mm);
+    return r->succeeded ? 2 : r->folded == 0;
 }
 
 // Whether this round is the best so far.
 static int is_better(const sf_stand *s, const sf_stand_report *r)
 {
-    int good = is_good(s, r);
-    if (good != s->best_is_safe || r->rounds == 1) {
-        return good || r->rounds == 1;
+    int rank = rank_of(r), is_first = r->rounds == s->first_round + 1;
+    if (rank != s->best_rank || is_first) {
+        return rank > s->best_rank || is_first;
     }
-    return good ? r->energy < (1 - GAIN_ENERGY) * s->best_energy
-                : r->margin_rad > s->best_margin_rad + GAIN_MARGIN;
+    return r->succeeded ? r->energy < (1 - GAIN_ENERGY) * s->best_energy
+                        : r->margin_rad > s->best_margin_rad + GAIN_MARGIN;
 }
 
 static int is_over(const sf_stand *s, const sf_stand_report *r)
 {
-    int good = is_good(s, r);
-    if (!sfi_stand_bends(s) || r->rounds >= s->options.rounds_max) {
+    if (!sfi_stand_bends(s) || r->rounds - s->first_round >= s->options.rounds_max) {
         return 1;
     }
     if (s->options.solver == SF_STAND_DESCENT) {
-        return good || s->descent.ended;
+        return r->succeeded || s->descent.ended;
     }
-    return (good && r->energy < 1e-12) || s->idle >= (s->best_is_safe ? IDLE_SAFE : IDLE_UNSAFE);
+    return (r->succeeded && r->energy < 1e-12) ||
+           s->idle >= (s->best_rank == 2 ? IDLE_SAFE : IDLE_UNSAFE);
 }
 
 static void take(sf_stand *s, attempt *a, const sf_stand_report *report)
@@ -291,7 +324,7 @@ static void remember(sf_stand *s)
         return;
     }
     s->idle = 0;
-    s->best_is_safe = is_good(s, r);
+    s->best_rank = rank_of(r);
     s->best_energy = r->energy;
     s->best_margin_rad = r->margin_rad;
     if (s->poses != NULL) {
@@ -299,11 +332,11 @@ static void remember(sf_stand *s)
     }
 }
 
-// The best round again. Safe, it is carved with as much matter left as can be; if that should not
-// be safe, as before.
+// The best round again. As was asked, it is carved with as much matter left as can be; if that
+// should not do, as before.
 static sf_status finish(sf_stand *s, sf_task *task)
 {
-    sf_carve_goal goals[2] = {s->best_is_safe ? SF_CARVE_ENOUGH : goal_of(s), goal_of(s)};
+    sf_carve_goal goals[2] = {s->best_rank == 2 ? SF_CARVE_ENOUGH : goal_of(s), goal_of(s)};
     if (!sfi_stand_bends(s)) {
         return SF_OK;
     }
@@ -326,7 +359,7 @@ static sf_status finish(sf_stand *s, sf_task *task)
             take(s, &a, &report);
         }
         drop(s, &a);
-        if (status != SF_OK || is_good(s, &s->report) == s->best_is_safe) {
+        if (status != SF_OK || rank_of(&s->report) == s->best_rank) {
             return status;
         }
     }

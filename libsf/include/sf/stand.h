@@ -50,12 +50,14 @@ typedef struct sf_stand_options {
     double weight_scales;     /**< what changed sizes cost; 0.05 */
     double scale_low;         /**< handles scale by no less; 0.7; more than 0, at most 1 */
     double scale_high;        /**< and by no more; 1.4; at least 1 */
+    double shift_max_mm;      /**< handles move no farther along x, y or z, but by hand or by
+                                   descent; 0 (default): half the longest side */
     int turn;                 /**< 1: handles may turn as well; 0 by default, as in the paper */
     double clearance_mm;      /**< how far above the ground all must stay that does not stand on it;
                                    0 (default): a hundredth of the longest side */
     double reserve_rad;       /**< bending aims at so much more than the stances ask for, because
                                    the carving after it is another; a tenth of a degree */
-    uint32_t rounds_max;      /**< most rounds; 40 */
+    uint32_t rounds_max;      /**< most rounds; 0 (default): 40, or 400 of descent, a step each */
     const sf_ballast *ballast; /**< masses that sit in the shape, where they are before bending */
     size_t ballast_count;      /**< how many; 0 by default */
     sf_density_field density;  /**< NULL (default): 1 everywhere */
@@ -81,6 +83,8 @@ typedef struct sf_stand_report {
     int ended;                /**< 1: another round would change nothing */
     int stands;               /**< 1: in every stance it rests by itself, but maybe not safely */
     int safe;                 /**< 1: every stance has the margin that it asks for */
+    int succeeded;            /**< 1: it is safe, and bending has neither folded it over nor sunk it
+                                   into the ground by more than a ten-thousandth of its size */
     double margin_rad;        /**< the margin, as sf_stance_judge() gives it: the least */
     double margin_before_rad; /**< of the solid as it was given */
     double bound_rad;         /**< standing alone: no carving of the shape as it was given has a
@@ -162,7 +166,7 @@ SF_API SF_CHECKED sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_st
  *
  * @param stand   the shape; on failure it is as the last whole round left it
  * @param task    NULL, or progress, cancel and threads
- * @param report  NULL, or receives how far it came: `safe` says whether it stands
+ * @param report  NULL, or receives how far it came: `succeeded` says whether it does what was asked
  * @return as sf_stand_round().
  * @cost rounds_max rounds at most.   @threads one for each shape.
  * @since 0.2
@@ -178,7 +182,7 @@ SF_API SF_CHECKED sf_status sf_stand_run(sf_stand *stand, sf_task *task, sf_stan
 SF_API sf_stand_report sf_stand_describe(const sf_stand *stand);
 
 /**
- * Pose a handle by hand: the next round starts from it.
+ * Pose a handle by hand: the next round starts from it, and the count of rounds anew.
  *
  * @param stand   the shape
  * @param handle  which of those handed in

@@ -32,7 +32,7 @@ static void both_ways_stand(void)
         steps++;
     } while (state.unsafe > 1e-6 && !d.ended && steps < 2000);
     CHECK(state.unsafe <= 1e-3);
-    sfi_freedom freedom = {t.free, 0.2, 5};
+    sfi_freedom freedom = {t.free, 0.2, 5, 1e9, 0.3};
     sfi_sqp_report report;
     CHECK_EQ(sfi_sqp_run(&t.posture, &freedom, 40, &t.allocator, NULL, fast, &report), SF_OK);
     CHECK(report.state.unsafe < 1e-6 && report.steps < (uint32_t)steps);
@@ -65,6 +65,29 @@ static void the_schedule_is_the_papers(void)
     tower_end(&t);
 }
 
+// Asked for more than its height allows, nothing is safe as high as its centre of mass lies. It
+// must go on all the same, to where the least is lacking, which is above the middle of the foot.
+static void where_nothing_is_safe_it_comes_nearer(void)
+{
+    tower t;
+    tower_begin(&t, 0.3);
+    stand_on_foot(&t, 0.9);
+    sf_pose poses[HANDLES];
+    sfi_descent d = sfi_descent_begin(0.5);
+    sfi_posture_state first, state;
+    double com[3];
+    rest_all(poses);
+    CHECK_EQ(sfi_descent_step(&t.posture, t.free, &t.allocator, NULL, &d, poses, &first), SF_OK);
+    for (int i = 0; i < 1000 && !d.ended; i++) {
+        CHECK_EQ(sfi_descent_step(&t.posture, t.free, &t.allocator, NULL, &d, poses, &state),
+                 SF_OK);
+    }
+    CHECK_EQ(sf_body_com(state.body, com), SF_OK);
+    CHECK(state.unsafe < first.unsafe && com[2] > 0.5 * FOOT / 0.9);
+    CHECK_NEAR(com[0], 0.5 * FOOT, 0.1 * FOOT);
+    tower_end(&t);
+}
+
 static void memory(void)
 {
     tower t;
@@ -91,6 +114,7 @@ int main(void)
 {
     TEST(both_ways_stand);
     TEST(the_schedule_is_the_papers);
+    TEST(where_nothing_is_safe_it_comes_nearer);
     TEST(memory);
     return test_finish();
 }

@@ -108,6 +108,9 @@ static void stands(double lean, int turns, sfi_freedom freedom)
     for (int j = 1; j < HANDLES; j++) {
         CHECK(poses[j].scale >= freedom.scale_low - 1e-9);
         CHECK(poses[j].scale <= freedom.scale_high + 1e-9);
+        for (int d = 0; d < 3; d++) {
+            CHECK(fabs(poses[j].shift_mm[d]) <= freedom.shift_max_mm + 1e-9 * TOWER);
+        }
     }
     check_least(&t, poses, report.state.energy);
     tower_end(&t);
@@ -115,7 +118,7 @@ static void stands(double lean, int turns, sfi_freedom freedom)
 
 static void a_leaning_tower_stands(void)
 {
-    sfi_freedom freedom = {NULL, 0.7, 1.4};
+    sfi_freedom freedom = {NULL, 0.7, 1.4, 1e9, 0.3};
     stands(0.3, 0, freedom);
     stands(0.6, 0, freedom);
     stands(0.3, 1, freedom);
@@ -123,8 +126,16 @@ static void a_leaning_tower_stands(void)
 
 static void scales_have_bounds(void)
 {
-    sfi_freedom freedom = {NULL, 0.98, 1.01};
+    sfi_freedom freedom = {NULL, 0.98, 1.01, 1e9, 0.3};
     stands(0.3, 0, freedom);
+}
+
+// Without them the top goes by more than 3 mm.
+static void shifts_have_bounds(void)
+{
+    sfi_freedom freedom = {NULL, 0.7, 1.4, 3, 0.3};
+    stands(0.3, 0, freedom);
+    stands(0.3, 1, freedom);
 }
 
 // What already stands is left alone, to the byte.
@@ -134,7 +145,7 @@ static void what_stands_is_left_alone(void)
     sf_pose poses[HANDLES], before[HANDLES];
     sfi_sqp_report report;
     tower_begin(&t, 0);
-    sfi_freedom freedom = {t.free, 0.7, 1.4};
+    sfi_freedom freedom = {t.free, 0.7, 1.4, 1e9, 0.3};
     rest_all(poses);
     rest_all(before);
     CHECK_EQ(sfi_sqp_run(&t.posture, &freedom, 40, &t.allocator, NULL, poses, &report), SF_OK);
@@ -152,7 +163,7 @@ static void what_cannot_stand_comes_nearer(void)
     tower_begin(&t, 0.6);
     memset(t.free, 0, sizeof t.free);
     t.free[2 * SFI_POSE_SIZE + SFI_POSE_SCALE] = 1;
-    sfi_freedom freedom = {t.free, 0.9, 1.1};
+    sfi_freedom freedom = {t.free, 0.9, 1.1, 1e9, 0.3};
     rest_all(poses);
     double before = lacking(&t, poses);
     CHECK_EQ(sfi_sqp_run(&t.posture, &freedom, 40, &t.allocator, NULL, poses, &report), SF_OK);
@@ -169,7 +180,7 @@ static void memory_and_cancel(void)
     sfi_sqp_report report;
     failing_allocator failing;
     tower_begin(&t, 0.3);
-    sfi_freedom freedom = {t.free, 0.7, 1.4};
+    sfi_freedom freedom = {t.free, 0.7, 1.4, 1e9, 0.3};
     rest_all(before);
     sf_status status = SF_ERR_MEMORY;
     for (long k = 0; status == SF_ERR_MEMORY && k < 1000; k++) {
@@ -193,6 +204,7 @@ int main(void)
 {
     TEST(a_leaning_tower_stands);
     TEST(scales_have_bounds);
+    TEST(shifts_have_bounds);
     TEST(what_stands_is_left_alone);
     TEST(what_cannot_stand_comes_nearer);
     TEST(memory_and_cancel);

@@ -188,11 +188,35 @@ static void two_stances_at_once(void)
     sf_stand *stand = make(0.06, &o, 2, stances);
     CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
     sf_stand_report r = sf_stand_describe(stand);
-    CHECK(r.safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
+    CHECK(r.succeeded && r.safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
     double com[3];
     judge_com(sf_stand_outer(stand), sf_stand_cavity(stand), com);
     double aside = hypot(com[0] - stances[1].point_mm[0], com[1]);
     CHECK(atan2(aside, BOTTLE_HEIGHT - com[2]) <= 2 * DEGREE + 1e-6);
+    sf_stand_destroy(stand);
+}
+
+// To stand, and to hang with the head up from a point far outside: no body does both. What comes
+// out must say so, and be a shape that one can still look at.
+static void two_stances_that_cannot_be(void)
+{
+    sf_stance_options stances[2] = {sf_stance_options_default(), sf_stance_options_default()};
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    stances[1].kind = SF_STANCE_HANG;
+    stances[1].point_mm[0] = 3 * BOTTLE_HEIGHT;
+    stances[1].point_mm[2] = BOTTLE_HEIGHT;
+    sf_stand *stand = make(0.06, &o, 2, stances);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    sf_stand_report r = sf_stand_describe(stand);
+    CHECK(r.ended && !r.safe && !r.succeeded && r.folded == 0);
+    for (size_t j = 0; j < 3; j++) {
+        sf_pose pose = sf_stand_get_pose(stand, j);
+        for (int d = 0; d < 3; d++) {
+            CHECK(fabs(pose.shift_mm[d]) <= 0.5 * BOTTLE_HEIGHT * 1.1);
+        }
+    }
+    printf("# moved by %.2f of its height, least det %.2f\n", r.displacement_mm / BOTTLE_HEIGHT,
+           r.least_det);
     sf_stand_destroy(stand);
 }
 
@@ -260,6 +284,7 @@ int main(void)
     TEST(ballast_counts);
     TEST(density_counts);
     TEST(two_stances_at_once);
+    TEST(two_stances_that_cannot_be);
     TEST(threads_change_nothing);
     TEST(a_person_may_pose);
     TEST(what_cannot_stand_says_so);

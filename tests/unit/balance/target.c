@@ -4,7 +4,7 @@
 // make, whatever is nearest or deepest of those that hold. Half-spaces slant and lie at any height,
 // and may leave nothing at all, a line, or a point.
 
-#include "balance/carve/target.h"
+#include "balance/stance/target.h"
 #include "test.h"
 
 #include <sf/base.h>

@@ -12,7 +12,7 @@
 // is safe at this height. The tolerance of the clip keeps polygons that are a line or a point, as
 // those of a string are.
 
-#include "balance/carve/target.h"
+#include "balance/stance/target.h"
 
 #include <float.h>
 #include <math.h>

@@ -9,7 +9,7 @@
 // One stance: up, a unit vector, and its half-spaces, the normals of which have length 1 (or 0).
 typedef struct sfi_base {
     double up[3];
-    sf_halfspace *halfspaces;
+    const sf_halfspace *halfspaces;
     size_t count;
 } sfi_base;
 
