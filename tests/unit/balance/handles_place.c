@@ -138,7 +138,10 @@ static void a_figure_is_held_by_hands_and_head(void)
         options.count = 4;
         CHECK_EQ(sf_handles_place(grid, &options, NULL, NULL, again, 8, &more, NULL), SF_OK);
         CHECK_EQ(more, 4);
-        CHECK(memcmp(handles, again, 3 * sizeof *handles) == 0);
+        for (size_t i = 0; i < 3; i++) {
+            CHECK(memcmp(handles[i].at_mm, again[i].at_mm, sizeof again[i].at_mm) == 0);
+            CHECK(handles[i].kind == again[i].kind && handles[i].radius_mm == again[i].radius_mm);
+        }
         // What was placed can be used.
         sf_weights *weights = NULL;
         sf_weights_options how = sf_weights_options_default();
