@@ -111,7 +111,8 @@ static exit_status place(cli_job *job, const part *p, const stances *s, handles 
 #ifdef SF_HAVE_JANSSON
 
 static const char *const kinds[] = {[SF_HANDLE_POINT] = "point", [SF_HANDLE_BALL] = "ball"};
-static const char *const keys[] = {"kind", "at_mm", "radius_mm", "locked", "pose"};
+static const char *const keys[] = {"kind", "at_mm", "ray", "radius_mm", "locked", "pose"};
+static const char *const ray_keys[] = {"from_mm", "direction"};
 static const char *const pose_keys[] = {"scale", "shift_mm"};
 
 static exit_status fail(cli_job *job, const char *what)
@@ -135,30 +136,61 @@ static exit_status read_pose(cli_job *job, const json_t *object, handles *h, siz
     return EXIT_GOOD;
 }
 
-static exit_status read_one(cli_job *job, const json_t *object, handles *h, size_t i)
+// The middle of the part where a ray from outside, or from its surface, enters it.
+static exit_status follow_ray(cli_job *job, const part *p, const json_t *ray, double at[3])
+{
+    double direction[3];
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    if (!json_has_only(ray, ray_keys, 2) || json_object_size(ray) != 2 ||
+        !json_get_triple(ray, "from_mm", at) || !json_get_triple(ray, "direction", direction)) {
+        return fail(job, "a ray has from_mm and direction, of three numbers each.");
+    }
+    turned_to_build(job, at, at);
+    turned_to_build(job, direction, direction);
+    sf_status status = sf_handle_center(p->grid, at, direction, at, &fault);
+    return status == SF_OK
+               ? EXIT_GOOD
+               : job_fail_call(job, status, &fault, job->options.stand.handles, EXIT_INPUT);
+}
+
+static exit_status read_place(cli_job *job, const part *p, const json_t *object, double at[3])
+{
+    const json_t *ray = json_object_get(object, "ray"), *place = json_object_get(object, "at_mm");
+    if ((ray == NULL) == (place == NULL)) {
+        return fail(job, "a handle lies at_mm, or where a ray leads.");
+    }
+    if (ray != NULL) {
+        return follow_ray(job, p, ray, at);
+    }
+    if (!json_get_triple(object, "at_mm", at)) {
+        return fail(job, "at_mm is three numbers.");
+    }
+    turned_to_build(job, at, at);
+    return EXIT_GOOD;
+}
+
+static exit_status read_one(cli_job *job, const part *p, const json_t *object, handles *h, size_t i)
 {
     sf_handle *made = &h->each[i];
     int kind = json_get_choice(object, "kind", kinds, 2, SF_HANDLE_POINT);
-    if (!json_has_only(object, keys, sizeof keys / sizeof keys[0]) || kind < 0 ||
-        json_object_get(object, "at_mm") == NULL) {
-        return fail(job, "a handle has at_mm, and may have a kind (point, ball), radius_mm, locked "
-                         "and a pose, and nothing else.");
+    if (!json_has_only(object, keys, sizeof keys / sizeof keys[0]) || kind < 0) {
+        return fail(job, "a handle has at_mm or a ray, and may have a kind (point, ball), "
+                         "radius_mm, locked and a pose, and nothing else.");
     }
     made->kind = (sf_handle_kind)kind;
-    if (!json_get_triple(object, "at_mm", made->at_mm) ||
-        !json_get_number(object, "radius_mm", &made->radius_mm) ||
+    if (!json_get_number(object, "radius_mm", &made->radius_mm) ||
         !json_get_flag(object, "locked", &made->locked)) {
-        return fail(job, "at_mm is three numbers, radius_mm one, locked true or false.");
+        return fail(job, "radius_mm is a number, locked true or false.");
     }
     if (kind == SF_HANDLE_BALL && !(made->radius_mm > 0)) {
         return fail(job, "a ball has a radius_mm above 0.");
     }
-    turned_to_build(job, made->at_mm, made->at_mm);
     h->poses[i] = sf_pose_identity();
-    return read_pose(job, object, h, i);
+    exit_status status = read_place(job, p, object, made->at_mm);
+    return status == EXIT_GOOD ? read_pose(job, object, h, i) : status;
 }
 
-static exit_status from_file(cli_job *job, handles *h)
+static exit_status from_file(cli_job *job, const part *p, handles *h)
 {
     json_t *root;
     const json_t *items;
@@ -170,7 +202,7 @@ static exit_status from_file(cli_job *job, handles *h)
     }
     h->count = json_array_size(items);
     for (size_t i = 0; status == EXIT_GOOD && i < h->count; i++) {
-        status = read_one(job, json_array_get(items, i), h, i);
+        status = read_one(job, p, json_array_get(items, i), h, i);
     }
     json_decref(root);
     return status;
@@ -178,8 +210,9 @@ static exit_status from_file(cli_job *job, handles *h)
 
 #else
 
-static exit_status from_file(cli_job *job, handles *h)
+static exit_status from_file(cli_job *job, const part *p, handles *h)
 {
+    (void)p;
     (void)h;
     return json_fail(job, EXIT_INPUT, "--handles", job->options.stand.handles,
                      "this build reads no JSON; build it with jansson.");
@@ -193,5 +226,5 @@ exit_status handles_read(cli_job *job, const part *p, const stances *s, handles 
     if (job->options.given & OPTION_NO_DEFORM) {
         return EXIT_GOOD;
     }
-    return job->options.stand.handles != NULL ? from_file(job, h) : place(job, p, s, h);
+    return job->options.stand.handles != NULL ? from_file(job, p, h) : place(job, p, s, h);
 }

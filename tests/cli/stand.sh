@@ -194,6 +194,14 @@ for build in +z +x; do
     same "$(value handles.0.pose.shift_mm.0 | awk '{ print ($1 < 0) }')" 1 "the other is moved back over the foot"
 done
 
+echo '{"format": "libsf-handles", "version": 1, "handles": [
+    {"ray": {"from_mm": [-50, 6, 18], "direction": [2, 0, 0]}}]}' >ray.json
+for build in +z +x; do
+    run stand tower.obj --build $build --handles ray.json --wall 1 --resolution 64 --json
+    near "$(value handles.0.at_mm.0)" 13.2 0.7 "a ray leads to the middle of the tower, printed along $build"
+    same "$(value handles.0.at_mm.1) $(value handles.0.at_mm.2)" "6 18" "and nowhere else"
+done
+
 # The examples of docs/balance.md, as they stand there.
 awk '/^## / { inside = /sf stand/ } inside && /^```json/ { file = "doc" ++n ".json"; next }
     /^```/ { file = "" } file != "" { print >file }' "$docs"
@@ -237,7 +245,11 @@ done
 for bad in '{"format": "libsf-handles", "version": 1, "handles": [{"kind": "point"}]}' \
     '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [1, 2, 3], "kind": "ball"}]}' \
     '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [1, 2, 3], "pose": {"scale": 0}}]}' \
-    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [100, 2, 3]}]}'; do
+    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [100, 2, 3]}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [1, 2, 3], "ray": {"from_mm": [1, 2, 3], "direction": [1, 0, 0]}}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"ray": {"from_mm": [1, 2, 3]}}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"ray": {"from_mm": [1, 2, 3], "direction": [0, 0, 0]}}]}' \
+    '{"format": "libsf-handles", "version": 1, "handles": [{"ray": {"from_mm": [-9, 2, 3], "direction": [-1, 0, 0]}}]}'; do
     echo "$bad" >bad.json
     exits 3 stand block.obj --handles bad.json
 done
