@@ -113,7 +113,7 @@ static exit_status place(cli_job *job, const part *p, const stances *s, handles 
 static const char *const kinds[] = {[SF_HANDLE_POINT] = "point", [SF_HANDLE_BALL] = "ball"};
 static const char *const keys[] = {"kind", "at_mm", "ray", "radius_mm", "locked", "pose"};
 static const char *const ray_keys[] = {"from_mm", "direction"};
-static const char *const pose_keys[] = {"scale", "shift_mm"};
+static const char *const pose_keys[] = {"scale", "shift_mm", "turn_deg"};
 
 static exit_status fail(cli_job *job, const char *what)
 {
@@ -123,17 +123,26 @@ static exit_status fail(cli_job *job, const char *what)
 static exit_status read_pose(cli_job *job, const json_t *object, handles *h, size_t i)
 {
     const json_t *pose = json_object_get(object, "pose");
-    double shift[3] = {0, 0, 0};
+    double shift[3] = {0, 0, 0}, turn[3] = {0, 0, 0};
+    sf_pose_change by = {0, {0, 0, 0}, {0, 0, 0}};
     if (pose == NULL) {
         return EXIT_GOOD;
     }
-    if (!json_has_only(pose, pose_keys, 2) || !json_get_number(pose, "scale", &h->poses[i].scale) ||
-        !(h->poses[i].scale > 0) || !json_get_triple(pose, "shift_mm", shift)) {
-        return fail(job, "a pose has a scale above 0 and a shift_mm of three numbers.");
+    if (!json_has_only(pose, pose_keys, 3) || !json_get_number(pose, "scale", &h->poses[i].scale) ||
+        !(h->poses[i].scale > 0) || !json_get_triple(pose, "shift_mm", shift) ||
+        !json_get_triple(pose, "turn_deg", turn)) {
+        return fail(job, "a pose has a scale above 0, a shift_mm of three numbers, and a turn_deg "
+                         "of three, the axis times the angle.");
     }
     turned_to_build(job, shift, h->poses[i].shift_mm);
+    turned_to_build(job, turn, turn);
+    for (int d = 0; d < 3; d++) {
+        by.spin_rad[d] = turn[d] * (3.14159265358979323846 / 180);
+    }
     h->posed[i] = 1;
-    return EXIT_GOOD;
+    return sf_pose_move(&h->poses[i], &by) == SF_OK
+               ? EXIT_GOOD
+               : fail(job, "a turn_deg is larger than anybody could mean.");
 }
 
 // The middle of the part where a ray from outside, or from its surface, enters it.

@@ -55,6 +55,7 @@ static const option_entry table[] = {
      "what bends it; or N places, 0 to 63, found by themselves (default auto:8)"},
     {OPTION_MAX_SHIFT, "max-shift", 0, "MM",
      "no handle moves farther along x, y or z (default half the longest side)"},
+    {OPTION_TURN, "turn", 0, NULL, "handles may turn as well as shift and scale"},
     {OPTION_CARVE, "carve", 0, "WAY",
      "support-free (default), or paper, after which ceilings may hang"},
     {OPTION_SOLVER, "solver", 0, "WAY", "sqp (default), or paper: its gradient descent"},

@@ -59,6 +59,7 @@
 #define OPTION_NO_LAPLACIAN (UINT64_C(1) << 45)
 #define OPTION_REST (UINT64_C(1) << 46)
 #define OPTION_MAX_SHIFT (UINT64_C(1) << 48)
+#define OPTION_TURN (UINT64_C(1) << 49)
 
 typedef struct cli_options {
     uint64_t given; // OPTION_* that were on the command line

@@ -143,6 +143,7 @@ static exit_status choose(cli_job *job, model *m)
     o->solver = asked->stand.solver;
     o->mu = asked->stand.mu;
     o->shift_max_mm = asked->stand.shift_max_mm;
+    o->turn = (asked->given & OPTION_TURN) != 0;
     o->rule = asked->rule;
     o->angle_rad = asked->angle_rad;
     if (asked->given & OPTION_NO_LAPLACIAN) {

@@ -104,6 +104,17 @@ static void report_shape(const cli_job *job, const model *m)
     report_number(r, "sunk_mm", done->sunk_mm);
 }
 
+// The axis of a rotation, as long as its angle in degrees.
+static void turn_of(const double m[9], double turn[3])
+{
+    double twice[3] = {m[7] - m[5], m[2] - m[6], m[3] - m[1]}; // 2 sin(angle) axis
+    double sine = 0.5 * sqrt(twice[0] * twice[0] + twice[1] * twice[1] + twice[2] * twice[2]);
+    double angle = atan2(sine, 0.5 * (m[0] + m[4] + m[8] - 1));
+    for (int d = 0; d < 3; d++) {
+        turn[d] = sine > 0 ? 0.5 * twice[d] / sine * angle * DEGREES : 0;
+    }
+}
+
 static void report_handles(const cli_job *job, const model *m)
 {
     report *r = job->report;
@@ -111,6 +122,8 @@ static void report_handles(const cli_job *job, const model *m)
     for (size_t i = 0; i < m->handles.count; i++) {
         const sf_handle *handle = &m->handles.each[i];
         sf_pose pose = sf_stand_get_pose(m->stand, i);
+        double turn[3];
+        turn_of(pose.turn, turn);
         report_begin(r, NULL);
         report_text(r, "kind", handle->kind == SF_HANDLE_BALL ? "ball" : "point");
         report_point(job, "at_mm", handle->at_mm);
@@ -118,6 +131,7 @@ static void report_handles(const cli_job *job, const model *m)
         report_begin(r, "pose");
         report_number(r, "scale", pose.scale);
         report_point(job, "shift_mm", pose.shift_mm);
+        report_point(job, "turn_deg", turn);
         report_end(r);
         report_end(r);
     }

@@ -37,10 +37,10 @@ static exit_status check(cli_job *job)
     } else if ((given & OPTION_SUSPEND) && (given & (OPTION_GAMMA | OPTION_CONTACTS))) {
         why = "What hangs has no contacts and no --gamma: leave out one or the other.";
     } else if ((given & OPTION_NO_DEFORM) &&
-               (given & (OPTION_HANDLES | OPTION_MAX_SHIFT | OPTION_SOLVER | OPTION_MU |
-                         OPTION_NO_LAPLACIAN))) {
-        why = "--no-deform bends nothing: leave out --handles, --max-shift, --solver, --mu and "
-              "--no-laplacian.";
+               (given & (OPTION_HANDLES | OPTION_MAX_SHIFT | OPTION_TURN | OPTION_SOLVER |
+                         OPTION_MU | OPTION_NO_LAPLACIAN))) {
+        why = "--no-deform bends nothing: leave out --handles, --max-shift, --turn, --solver, --mu "
+              "and --no-laplacian.";
     } else if ((given & OPTION_NO_CARVE) && (given & (OPTION_CARVE | OPTION_WALL | OPTION_DRAIN))) {
         why = "--no-carve leaves the inside solid: leave out --carve, --wall and --drain.";
     } else if ((given & OPTION_MU) && job->options.stand.solver != SF_STAND_DESCENT) {

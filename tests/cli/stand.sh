@@ -185,12 +185,13 @@ cat >handles.json <<'END'
 {"format": "libsf-handles", "version": 1, "handles": [
     {"at_mm": [13, 6, 32]},
     {"kind": "ball", "at_mm": [9, 6, 18], "radius_mm": 2, "locked": true,
-     "pose": {"scale": 1.1, "shift_mm": [-1, 0, 0.5]}}]}
+     "pose": {"scale": 1.1, "shift_mm": [-1, 0, 0.5], "turn_deg": [3, -20, 5]}}]}
 END
 for build in +z +x; do
     run stand tower.obj --build $build --handles handles.json --wall 1 --resolution 32 --json
     same "$(value handles.1.locked) $(value handles.1.pose.shift_mm.0) $(value handles.1.pose.shift_mm.2)" "true -1 0.5" "a locked handle keeps its pose, printed along $build"
     near "$(value handles.1.pose.scale)" 1.1 1e-12 "and its scale"
+    near "$(value handles.1.pose.turn_deg.1)" -20 1e-9 "and its turn"
     same "$(value handles.0.pose.shift_mm.0 | awk '{ print ($1 < 0) }')" 1 "the other is moved back over the foot"
 done
 
