@@ -247,7 +247,7 @@ static sf_status describe(const sf_stand *s, sf_task *task, const attempt *a,
     if (inside.triangle_count > 0) {
         SF_TRY(sf_mesh_measure(inside, &cavity));
     }
-    r.carved_mm3 = -cavity.volume_mm3;
+    r.carved_mm3 = 0 - cavity.volume_mm3; // of no cavity 0, and not -0
     r.sunk_mm = a->sunk;
     r.overlap_voxels = a->carved.overlap_voxels;
     r.hanging_voxels = a->carved.hanging_voxels;

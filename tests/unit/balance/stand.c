@@ -112,6 +112,8 @@ static void without_carving(void)
     CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
     CHECK(sf_stand_describe(stand).safe && margin_of(stand) >= 4 * DEGREE - 1e-4);
     CHECK_EQ(sf_stand_cavity(stand).triangle_count, 0);
+    CHECK(sf_stand_describe(stand).carved_mm3 == 0 &&
+          !signbit(sf_stand_describe(stand).carved_mm3));
     sf_stand_destroy(stand);
 }
 
