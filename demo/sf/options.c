@@ -33,6 +33,7 @@ static const option_entry table[] = {
     {OPTION_DENSITY, "density", 0, "D|FILE", "what 1 mm3 weighs, or a file that says more"},
     {OPTION_CAVITY, "cavity", 0, "MESH", "also write the cavity, holes included, by itself"},
     {OPTION_PICTURE, "picture", 0, "PNG", "also draw the part, cut open"},
+    {OPTION_LAYERS, "layers", 0, "FOLDER", "also write the layers of what was carved"},
     {OPTION_CERTIFICATE, "certificate", 0, "FILE", "a proof of the result, for sf-verify"},
     {OPTION_KEEP, "keep", 0, "MESH", "matter in there is never removed"},
     {OPTION_FORBID, "forbid", 0, "MESH", "nothing is added in there"},

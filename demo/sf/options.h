@@ -58,6 +58,7 @@
 #define OPTION_NO_DEFORM (UINT64_C(1) << 44)
 #define OPTION_NO_LAPLACIAN (UINT64_C(1) << 45)
 #define OPTION_REST (UINT64_C(1) << 46)
+#define OPTION_LAYERS (UINT64_C(1) << 47)
 #define OPTION_MAX_SHIFT (UINT64_C(1) << 48)
 #define OPTION_TURN (UINT64_C(1) << 49)
 
@@ -68,6 +69,7 @@ typedef struct cli_options {
     const char *certificate;            // file to write, or NULL
     const char *keep, *forbid, *remove; // meshes of masks, or NULL
     const char *cavity, *picture;       // files to write, or NULL
+    const char *layers;                 // folder to write, or NULL
     const char *density;                // a number or a file, or NULL
     double pitch_mm[3];                 // x, y, layer
     uint32_t resolution;

@@ -172,21 +172,33 @@ static sf_stack_info stack_info(const cli_job *job, const part *p)
     return info;
 }
 
-exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path)
+exit_status output_begin_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path,
+                               sf_directory **directory)
 {
-    sf_directory *directory = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
     sf_stack_info info = stack_info(job, p);
+    *directory = NULL;
     progress_phase("writing the stack");
-    sf_status status = sf_directory_write(path, NULL, &directory, &fault);
+    sf_status status = sf_directory_write(path, NULL, directory, &fault);
     if (status == SF_OK) {
-        status = sf_stack_write(grid, &info, sf_directory_folder(directory), &job->task, &fault);
-        if (status == SF_OK) {
-            status = sf_directory_commit(directory, &fault);
-        } else {
-            sf_directory_close(directory);
+        status = sf_stack_write(grid, &info, sf_directory_folder(*directory), &job->task, &fault);
+        if (status != SF_OK) {
+            sf_directory_close(*directory);
+            *directory = NULL;
         }
     }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
+}
+
+exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path)
+{
+    sf_directory *directory;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    exit_status begun = output_begin_stack(job, p, grid, path, &directory);
+    if (begun != EXIT_GOOD) {
+        return begun;
+    }
+    sf_status status = sf_directory_commit(directory, &fault);
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
 }
 

@@ -36,6 +36,10 @@ exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, c
                              const char *key);
 exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path);
 
+// The slices in a folder that has no name yet: sf_directory_commit() gives it its name.
+exit_status output_begin_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path,
+                               sf_directory **directory);
+
 // The one of the two that the name asks for.
 exit_status output_save(cli_job *job, const part *p, const sf_grid *grid, const char *path);
 

@@ -4,7 +4,7 @@
 // Options speak in the axes and the unit of the input, a file in its axes and millimetres of the
 // part as it is printed; either is turned to build axes here. Feet of models are seldom flat to a
 // millionth of their size, so what is within a hundredth of the height from the ground stands on
-// it.
+// it, and is put onto it; but not where the outside is to stay as it is.
 
 #include "stances_read.h"
 
@@ -36,7 +36,9 @@ static sf_stance_options begin(const cli_job *job, const part *p, const double u
     sf_stance_options made = sf_stance_options_default();
     turned_to_build(job, up, made.up);
     made.gamma_rad = job->options.stand.gamma_rad;
-    made.contact_mm = CONTACT_PART * height_along(p, made.up);
+    if ((job->options.given & OPTION_NO_DEFORM) == 0) {
+        made.contact_mm = CONTACT_PART * height_along(p, made.up);
+    }
     return made;
 }
 

@@ -9,6 +9,7 @@
 #include "output.h"
 #include "progress.h"
 #include "stand_drill.h"
+#include "stand_layers.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -21,6 +22,7 @@ static const char *const keys[] = {"outer", "inner", "cut", "picture", "report"}
 typedef struct file_set {
     char path[FILE_COUNT][PATH_SIZE];
     sf_save *save[FILE_COUNT]; // NULL: not written
+    stand_layers layers;
 } file_set;
 
 static exit_status name_files(cli_job *job, file_set *files)
@@ -38,10 +40,11 @@ static exit_status name_files(cli_job *job, file_set *files)
 exit_status stand_files_check(cli_job *job)
 {
     file_set files;
-    if (job->options.output == NULL) {
-        return EXIT_GOOD;
+    exit_status status = stand_layers_check(job);
+    if (status != EXIT_GOOD || job->options.output == NULL) {
+        return status;
     }
-    exit_status status = name_files(job, &files);
+    status = name_files(job, &files);
     for (int i = 0; status == EXIT_GOOD && i < FILE_COUNT; i++) {
         status = output_probe(job, files.path[i], i == PICTURE ? OUTPUT_PICTURE : OUTPUT_MESH);
     }
@@ -127,6 +130,19 @@ static exit_status write_picture(cli_job *job, file_set *files, const model *m)
     return status;
 }
 
+static void report_layers(cli_job *job, const stand_layers *layers)
+{
+    const char *folder = job->options.layers, *certificate = job->options.certificate;
+    if (layers->folder != NULL) {
+        report_text(job->report, "layers", folder);
+        report_say(job->report, "Layers are in %s.", folder);
+    }
+    if (layers->certificate != NULL) {
+        report_text(job->report, "certificate", certificate);
+        report_say(job->report, "Certified: see 'sf-verify %s %s'.", folder, certificate);
+    }
+}
+
 static exit_status write_report(cli_job *job, file_set *files)
 {
     exit_status status = begin(job, files, REPORT);
@@ -143,6 +159,7 @@ static exit_status write_report(cli_job *job, file_set *files)
                files->save[INNER] != NULL ? ", _inner.stl" : "",
                files->save[CUT] != NULL ? ", _cut.stl (cavity and holes, to be taken from it)" : "",
                files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
+    report_layers(job, &files->layers);
     return status == EXIT_GOOD
                ? end(job, files, REPORT, report_print_json(r, sf_save_sink(files->save[REPORT])))
                : status;
@@ -153,6 +170,11 @@ static exit_status publish(cli_job *job, file_set *files)
     exit_status status = EXIT_GOOD;
     if (sf_task_is_cancelled(&job->task)) {
         status = job_fail_call(job, SF_ERR_CANCELLED, NULL, "", EXIT_RESOURCE);
+    }
+    if (status == EXIT_GOOD) {
+        status = stand_layers_commit(job, &files->layers);
+    } else {
+        stand_layers_abort(&files->layers);
     }
     for (int i = 0; i < FILE_COUNT; i++) {
         sf_fault fault = {SF_OK, 0, 0, ""};
@@ -190,11 +212,15 @@ exit_status stand_files_save(cli_job *job, const model *m)
         status = write_picture(job, &files, m);
     }
     if (status == EXIT_GOOD) {
+        status = stand_layers_begin(job, m, &files.layers);
+    }
+    if (status == EXIT_GOOD) {
         status = write_report(job, &files);
     }
     if (status == EXIT_GOOD) {
         return publish(job, &files);
     }
+    stand_layers_abort(&files.layers);
     for (int i = 0; i < FILE_COUNT; i++) {
         sf_save_abort(files.save[i]);
     }

@@ -229,6 +229,19 @@ static sf_status measure_wall(cli_job *job, model *m)
                            : status;
 }
 
+// How far vertices went that came in, feet that were put flat included.
+static double measure_moved(const model *m)
+{
+    sf_mesh_view was = sf_mesh_get_view(m->part.mesh), now = sf_stand_outer(m->stand);
+    double most = 0;
+    for (size_t v = 0; v < was.vertex_count && v < now.vertex_count; v++) {
+        const double *a = was.vertices + 3 * v, *b = now.vertices + 3 * v;
+        double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+        most = fmax(most, x * x + y * y + z * z);
+    }
+    return sqrt(most);
+}
+
 static exit_status go(cli_job *job, model *m)
 {
     m->report = sf_stand_describe(m->stand);
@@ -241,6 +254,7 @@ static exit_status go(cli_job *job, model *m)
             say_round(m);
         }
     }
+    m->moved_mm = measure_moved(m);
     if (status == SF_OK) {
         progress_phase("measuring the wall");
         status = measure_wall(job, m);

@@ -14,6 +14,7 @@
 
 #define ROUNDING 1e-9 // of the size: less than that is none
 #define SUNK 1e-4     // of the size: less than that is close enough, as <sf/stand.h> says
+#define STILL 3e-6    // the same for vertices: contacts are put onto one plane
 #define DEGREES (180 / 3.14159265358979323846)
 
 static const char *const kinds[] = {
@@ -96,7 +97,7 @@ static void report_shape(const cli_job *job, const model *m)
     report_flag(r, "cavity_support_free", done->hanging_voxels == 0);
     report_count(r, "hanging_voxels", done->hanging_voxels);
     report_number(r, "wall_min_mm", m->wall_min_mm);
-    report_number(r, "max_displacement_mm", done->displacement_mm);
+    report_number(r, "max_displacement_mm", m->moved_mm);
     report_number(r, "energy", done->energy);
     report_number(r, "least_det", done->least_det);
     report_count(r, "folds", done->folded);
@@ -266,9 +267,9 @@ static void say_price(const cli_job *job, const model *m)
         snprintf(inside, sizeof inside, "%s carved out, the wall at least %.4g mm",
                  describe_mm3(done->carved_mm3, volume), m->wall_min_mm);
     }
-    if (done->displacement_mm > ROUNDING * m->size_mm) {
-        snprintf(outside, sizeof outside, "bent by at most %.4g mm (%.3g %% of its size)",
-                 done->displacement_mm, 100 * done->displacement_mm / m->size_mm);
+    if (m->moved_mm > STILL * m->size_mm) {
+        snprintf(outside, sizeof outside, "moved by at most %.4g mm (%.3g %% of its size)",
+                 m->moved_mm, 100 * m->moved_mm / m->size_mm);
     }
     report_say(job->report, "%u round%s: %s; %s.", done->rounds, done->rounds == 1 ? "" : "s",
                inside, outside);

@@ -19,7 +19,7 @@
      OPTION_MIN_FEATURE | OPTION_DENSITY | OPTION_PIXELS | OPTION_BUILD | OPTION_GAMMA |           \
      OPTION_CONTACTS | OPTION_HANDLES | OPTION_MAX_SHIFT | OPTION_SUSPEND | OPTION_STANCE |        \
      OPTION_CARVE | OPTION_SOLVER | OPTION_MU | OPTION_NO_CARVE | OPTION_NO_DEFORM |               \
-     OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST)
+     OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST | OPTION_LAYERS | OPTION_CERTIFICATE)
 #define CHANGE_OUTPUT "a mesh (.stl .obj .ply), or a folder for layers"
 
 const verb_entry verbs_table[] = {
@@ -80,6 +80,7 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --up +z -o standing\n"
       "  sf stand part.stl --up +x --build +z --gamma 6 --wall 2 -o standing\n"
       "  sf stand part.stl --carve paper --no-deform --drain 3\n"
+      "  sf stand part.stl -o standing --layers layers --certificate layers.json\n"
       "  sf stand part.stl --suspend 0,0,9\n"
       "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
       "  sf stand part.stl --up -y --rest\n",

@@ -124,6 +124,38 @@ run stand tower.obj --wall 1 --resolution 32 --solver paper --mu 0.2
 [ "$exit" -le 1 ] && grep -q 'rounds' stdout
 ok $? "the paper's solver runs ($exit)"
 
+# A foot that is not flat is put flat, and how far that goes counts; but not with --no-deform.
+awk '/^v/ && $4 == 0 && $2 == 12 { $4 = 0.3 } { print }' light.obj >uneven.obj
+run stand uneven.obj --wall 1 --resolution 32 -o uneven --json
+awk -v m="$(value max_displacement_mm)" 'BEGIN { exit !(m >= 0.299) }'
+ok $? "feet that are put flat are said to move ($(value max_displacement_mm))"
+run stand uneven.obj --wall 1 --resolution 32 --no-deform -o uneven --json
+corners uneven_outer.stl | sort -u >new
+awk '/^v/ { printf "%.9g %.9g %.9g\n", $2, $3, $4 }' uneven.obj | sort -u >old
+awk '{ getline other <"old"; split(other, o, " "); for (i = 1; i <= 3; i++) if (($i - o[i]) ^ 2 > 1e-8) exit 1 }' new
+ok $? "with --no-deform they stay as they are"
+near "$(value max_displacement_mm)" 0 1e-4 "and it says so"
+
+# Layers, and a certificate of them.
+exits 0 stand light.obj --wall 1 --resolution 40 --no-deform --gamma 1 -o light --layers light --certificate proof.json --json
+same "$(value layers) $(value certificate)" "light proof.json" "layers and a certificate"
+run check light --json
+[ "$exit" -le 1 ] && [ "$(value lattice.nz)" -ge 39 ]
+ok $? "which are a stack like any other"
+if [ -n "$SF_VERIFY" ]; then
+    $wrapper "$SF_VERIFY" light proof.json >verified
+    same "$? $(awk '{ print $1 }' verified)" "0 verified:" "which sf-verify takes"
+fi
+exits 2 stand light.obj --layers light
+exits 2 stand light.obj -o light --certificate proof.json
+exits 2 stand light.obj -o light --layers light --certificate proof.json --carve paper
+exits 4 stand light.obj -o light --layers nowhere/layers
+exits 0 stand light.obj --wall 1 --resolution 40 --gamma 1 --drain 2 -o drained --layers drained --certificate drained.proof --json
+if [ -n "$SF_VERIFY" ]; then
+    $wrapper "$SF_VERIFY" drained drained.proof >verified
+    same "$? $(awk '{ print $1 }' verified)" "0 verified:" "with holes too"
+fi
+
 # Holes: what is taken from the outside is the cavity and its holes, and it stands with them.
 exits 0 stand tower.obj --wall 1 --resolution 40 --drain 2 --pixels 200,150 -o drained --json
 same "$(value drained.closed) $(value drained.safe)" "0 true" "with holes nothing is shut in, and it stands"

@@ -95,7 +95,8 @@ typedef struct sf_stand_report {
     double mass;              /**< density times volume in mm3 */
     double carved_mm3;        /**< volume of the cavity */
     double energy;            /**< what bending costs */
-    double displacement_mm;   /**< how far the vertex that moved most has moved */
+    double displacement_mm;   /**< how far the vertex that moved most was bent, from where it was
+                                   with its feet flat */
     double least_det;         /**< least factor by which bending changes volume, anywhere: not above
                                    0 the shape is folded over */
     uint64_t folded;          /**< places where it is */
