@@ -8,7 +8,8 @@
 //     bound     the best that any carving can do, and the lever that does it         bound.c
 //     interior  what the wall asks for, and which squares may carry what             interior.c
 //     rounds    routes and struts for that lever: every place gets one that it rests
-//               on, and what carries the wall is forced                      route.c, struts.c
+//               on, and what carries the wall is forced, the cheapest of many
+//               tries                                        route.c, struts.c, scaffold.c
 //               multipliers over the closed sets of that forest, each found exactly
 //                                                                     lagrange.c, closure.c
 //               polish: true voxels, true weights, until the half-spaces hold         polish.c
@@ -98,13 +99,8 @@ static sf_status find_closed(void *context, const sfi_lever *weight, sf_body *bo
 // Routes and struts by a lever.
 static sf_status grow(carving *c, const sfi_lever *weight)
 {
-    for (uint32_t i = 0; i < c->places.count; i++) {
-        c->places.state[i] = 0;
-    }
     sfi_places_weigh(&c->places, weight);
-    SF_TRY(sfi_places_route(&c->places));
-    SF_TRY(sfi_places_force(&c->places));
-    return sfi_places_route(&c->places);
+    return sfi_places_scaffold(&c->places);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -169,12 +169,15 @@ static sf_status create(sfi_places *p, const float *density)
     p->next = sfi_alloc_array(a, p->count, sizeof *p->next);
     p->gain = sfi_alloc_array(a, p->count, sizeof *p->gain);
     p->state = sfi_alloc_array(a, p->count, sizeof *p->state);
+    p->best = sfi_alloc_array(a, p->count, sizeof *p->best);
+    p->load = sfi_alloc_array(a, p->count, sizeof *p->load);
     if (p->mass == NULL || p->weight == NULL || p->price == NULL || p->next == NULL ||
-        p->gain == NULL || p->state == NULL) {
+        p->gain == NULL || p->state == NULL || p->best == NULL || p->load == NULL) {
         return SF_ERR_MEMORY;
     }
     for (uint32_t i = 0; i < p->count; i++) {
         p->state[i] = 0;
+        p->load[i] = 0;
     }
     return find_masses(p, density);
 }
@@ -203,6 +206,8 @@ void sfi_places_destroy(sfi_places *p)
     sfi_free_array(a, p->next, p->count, sizeof *p->next);
     sfi_free_array(a, p->gain, p->count, sizeof *p->gain);
     sfi_free_array(a, p->state, p->count, sizeof *p->state);
+    sfi_free_array(a, p->best, p->count, sizeof *p->best);
+    sfi_free_array(a, p->load, p->count, sizeof *p->load);
     *p = (sfi_places){0};
 }
 

@@ -35,6 +35,9 @@ typedef struct sfi_places {
     uint32_t *next;  // the place that it rests on
     int64_t *gain;   // scratch of the closure
     uint8_t *state;
+    // Of the cheapest struts so far (scaffold.c):
+    uint8_t *best;  // their states
+    uint32_t *load; // how many of them stand on a place, itself included
 } sfi_places;
 
 // Number the places. density as in sf_grid_body(), checked before. SF_ERR_MEMORY, SF_ERR_OVERFLOW:
@@ -52,16 +55,28 @@ void sfi_places_weigh(sfi_places *places, const sfi_lever *lever);
 void sfi_places_read(const sfi_places *places, uint32_t k, unsigned bits, sf_slice slice);
 
 // ---------------------------------------------------------------------------------------------
-// Supporters (route.c, struts.c, closure.c)
+// Supporters (route.c, struts.c, scaffold.c, closure.c)
 // ---------------------------------------------------------------------------------------------
 
+// What changes the prices of a route: a place costs its share of what stands on it, and with a seed
+// that is not 0, in half of all blocks, up to three quarters more or less.
+typedef struct sfi_discount {
+    const uint32_t *load;
+    uint32_t seed;
+} sfi_discount;
+
 // Prices of all places by their weights, those forced being free, and `next` of each: the cheapest
-// place below it, of equals the one that is most straight below. SF_ERR_MEMORY, SF_ERR_CANCELLED.
-sf_status sfi_places_route(sfi_places *places);
+// place below it, of equals the one that is most straight below. `discount` may be NULL.
+// SF_ERR_MEMORY, SF_ERR_CANCELLED.
+sf_status sfi_places_route(sfi_places *places, const sfi_discount *discount);
 
 // Force the places that carry all that is asked of the interior, greedily cheap ones: by the prices
 // of places that none is forced of. SF_ERR_MEMORY, SF_ERR_CANCELLED, SF_ERR_INTERNAL.
 sf_status sfi_places_force(sfi_places *places);
+
+// Force places by the weights, as the cheapest of many tries, and route what is left. Tries go on
+// from those of the call before. SF_ERR_MEMORY, SF_ERR_CANCELLED, SF_ERR_INTERNAL.
+sf_status sfi_places_scaffold(sfi_places *places);
 
 // Of all sets that hold with each place the one that it rests on, and all that are forced, keep the
 // one of least weight; of equals the smallest. `gain` is scratch of `count`.

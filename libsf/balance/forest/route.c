@@ -13,6 +13,10 @@
 // Weights are shifted down so that the dearest way of all fits 32 bits; one that is above 0 costs 1
 // at least, so that ways are short.
 //
+// A way that many use is charged to each of them as if it were alone. With a discount each pays its
+// share of what used it the last time; and prices may be shaken, so that another try finds other
+// ways.
+//
 // Source: the map of supporting paths is T. Reiner, S. Lefebvre, "Interactive Modeling of
 // Support-free Shapes for Fabrication", Eurographics 2016, section 3.3.
 
@@ -25,6 +29,9 @@
 #include "voxel/slice.h"
 
 #define NONE INT32_MAX
+
+// Edge of the blocks of places of which half are shaken.
+enum { BLOCK = 16 };
 
 // What a place costs at most: 2^20, or less where a way of nz places could exceed 2^30.
 static unsigned shift_of(uint32_t nz)
@@ -43,6 +50,7 @@ typedef struct step_offset {
 
 typedef struct route {
     sfi_places *places;
+    const sfi_discount *discount; // or NULL
     unsigned shift;
     size_t stride, size;   // of a plane, with a border as wide as a step reaches
     int32_t *below, *here; // planes of prices
@@ -124,14 +132,43 @@ static int32_t cheapest(const route *r, size_t at, size_t *offset)
     return least;
 }
 
+static uint32_t hash(uint32_t number, uint32_t seed)
+{
+    number = (number ^ seed * UINT32_C(2654435761)) * UINT32_C(2246822519);
+    return (number ^ number >> 15) * UINT32_C(3266489917);
+}
+
+// 256 for what is not shaken, else 64 to 447, so that the dearest way stays below NONE.
+static int64_t shaken(const route *r, uint32_t i, uint32_t k, uint32_t x, uint32_t y)
+{
+    uint32_t seed = r->discount->seed;
+    uint32_t block = ((k / BLOCK) << 20) ^ ((y / BLOCK) << 10) ^ (x / BLOCK);
+    return seed == 0 || hash(block, seed) >> 31 != 0 ? 256
+                                                     : 64 + ((hash(i, seed) >> 16) * 384 >> 16);
+}
+
+// What place i, with its corner at (x, y) of layer k, costs by itself.
+static int32_t own_price(const route *r, uint32_t i, uint32_t k, uint32_t x, uint32_t y)
+{
+    int32_t weight = r->places->weight[i], own = weight >> r->shift;
+    if (weight <= 0) {
+        return 0;
+    }
+    if (r->discount != NULL) {
+        uint32_t load = r->discount->load[i];
+        own = (int32_t)(own * shaken(r, i, k, x, y) / 256);
+        own = load > 1 ? (int32_t)((uint32_t)own / load) : own;
+    }
+    return own > 0 ? own : 1;
+}
+
 static void find_place(const route *r, uint32_t i, uint32_t k, uint32_t x, uint32_t y,
                        int is_rooted)
 {
     sfi_places *p = r->places;
     const sfi_interior *in = p->in;
     size_t at = (y + (size_t)in->reach_y) * r->stride + x + in->reach_x, offset = 0;
-    int32_t own = p->weight[i] > 0 ? p->weight[i] >> r->shift : 0;
-    own = own == 0 && p->weight[i] > 0 ? 1 : own;
+    int32_t own = own_price(r, i, k, x, y);
     p->next[i] = SFI_PLACE_ROOT;
     if (!is_rooted) {
         own += cheapest(r, at, &offset);
@@ -167,9 +204,9 @@ static void find_layer(route *r, uint32_t k)
     r->here = plane;
 }
 
-sf_status sfi_places_route(sfi_places *places)
+sf_status sfi_places_route(sfi_places *places, const sfi_discount *discount)
 {
-    route r = {.places = places};
+    route r = {.places = places, .discount = discount};
     const sfi_interior *in = places->in;
     sf_status status = route_create(places, &r);
     for (uint32_t k = 0; status == SF_OK && k < in->lattice.nz; k++) {
