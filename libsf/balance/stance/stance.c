@@ -16,7 +16,6 @@
 #include <string.h>
 
 #define DEGREE_RAD 0.017453292519943295
-#define ANGLE_MAX (80 * DEGREE_RAD)
 #define TOLERANCE_MAX (45 * DEGREE_RAD)
 #define COORDINATE_MAX 1e12
 #define LEVER_SHARE 1e-2
@@ -153,13 +152,13 @@ static const char *find_fault(const sf_stance_options *o)
     if (!sfi_is_direction(o->up)) {
         return "up is no direction: it has no length, or one that is no number";
     }
-    if (!(o->gamma_rad >= 0 && o->gamma_rad <= ANGLE_MAX)) {
+    if (!(o->gamma_rad >= 0 && o->gamma_rad <= SFI_TILT_MAX)) {
         return "the tilt to survive must be 0 to 80 degrees";
     }
     if (!(o->tolerance_rad > 0 && o->tolerance_rad <= TOLERANCE_MAX)) {
         return "the tolerance must be more than 0 and at most 45 degrees";
     }
-    if (!(o->range_rad > 0 && o->range_rad <= ANGLE_MAX)) {
+    if (!(o->range_rad > 0 && o->range_rad <= SFI_TILT_MAX)) {
         return "the range must be more than 0 and at most 80 degrees";
     }
     if (o->kind == SF_STANCE_ROCK && !(o->range_rad > o->tolerance_rad)) {

@@ -7,6 +7,8 @@
 #include <sf/stance.h>
 
 #define SFI_HALF_PI 1.5707963267948966
+// The largest tilt that a stance may ask for: 80 degrees.
+#define SFI_TILT_MAX (80 * 0.017453292519943295)
 // Of the diagonal: how close above the lowest vertex others touch the ground.
 #define SFI_CONTACT_SHARE 1e-6
 

@@ -8,6 +8,7 @@
 
 #include "balance/stand/stand.h"
 
+#include "balance/stance/stance.h"
 #include "base/memory.h"
 #include "base/status.h"
 #include "mesh/mesh.h"
@@ -121,7 +122,8 @@ static sf_status check_mesh(sf_mesh_view mesh, const sf_allocator *allocator, sf
 {
     sf_topology topology;
     sf_mass mass;
-    SF_TRY(sf_mesh_validate(mesh, fault));
+    double low[3], extent[3];
+    SF_TRY(sfi_mesh_box(mesh, low, extent, fault)); // before squares and cubes of it may overflow
     SF_TRY(sf_mesh_analyze(mesh, allocator, &topology));
     SF_TRY(sf_mesh_measure(mesh, &mass));
     if (!topology.closed) {
@@ -149,6 +151,21 @@ static sf_status copy_mesh(sf_mesh_view mesh, sf_stand *s)
                          &s->vertices, &triangles));
     memcpy(s->vertices, mesh.vertices, 3 * mesh.vertex_count * sizeof *s->vertices);
     memcpy(triangles, mesh.triangles, 3 * mesh.triangle_count * sizeof *triangles);
+    return SF_OK;
+}
+
+static sf_status copy_ballast(sf_stand *s)
+{
+    sf_stand_options *o = &s->options;
+    if (o->ballast_count == 0) {
+        return SF_OK;
+    }
+    s->ballast = sfi_alloc_array(&s->allocator, o->ballast_count, sizeof *s->ballast);
+    if (s->ballast == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    memcpy(s->ballast, o->ballast, o->ballast_count * sizeof *s->ballast);
+    o->ballast = s->ballast;
     return SF_OK;
 }
 
@@ -200,6 +217,7 @@ static sf_status make(sf_mesh_view mesh, const sf_stance_options *stances, const
     SF_TRY(check_mesh(mesh, a, fault));
     SF_TRY(take_sizes(mesh, s));
     SF_TRY(copy_mesh(mesh, s));
+    SF_TRY(copy_ballast(s));
     s->asked = sfi_alloc_array(a, s->stance_count, sizeof *s->asked);
     SF_TRY(sfi_stand_surface_make(mesh, a, &s->surface));
     s->bent = sfi_alloc_array(a, s->surface.point_count, 3 * sizeof *s->bent);
@@ -256,7 +274,7 @@ static void free_handles(sf_stand *s)
     size_t count = s->handle_count;
     sfi_free_array(a, s->handles, count, sizeof *s->handles);
     sfi_free_array(a, s->poses, count, sizeof *s->poses);
-    sfi_free_array(a, s->best, count, sizeof *s->best);
+    sfi_free_array(a, s->best.poses, count, sizeof *s->best.poses);
     sfi_free_array(a, s->free, SFI_POSE_SIZE * count, 1);
     sfi_free_array(a, s->energy_scratch, sfi_energy_scratch(count), sizeof(double));
     sfi_free_array(a, s->weights, s->surface.point_count * count, sizeof *s->weights);
@@ -281,6 +299,7 @@ void sf_stand_destroy(sf_stand *stand)
     sfi_free_array(&a, stand->foot, stand->surface.point_count, sizeof *stand->foot);
     sfi_stand_surface_free(&a, &stand->surface);
     sf_mesh_destroy(stand->outer);
+    sfi_free_array(&a, stand->ballast, stand->options.ballast_count, sizeof *stand->ballast);
     sfi_free_array(&a, stand, 1, sizeof *stand);
 }
 
@@ -302,10 +321,15 @@ static int is_finite_pose(const sf_pose *pose)
     return isfinite(sum) && pose->scale > 0;
 }
 
+// Whether there is such a handle, beside the one that holds still.
+static int has_handle(const sf_stand *stand, size_t handle)
+{
+    return stand != NULL && stand->handle_count > 0 && handle < stand->handle_count - 1;
+}
+
 sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, const sf_pose *pose, int lock)
 {
-    if (stand == NULL || pose == NULL || handle + 1 >= stand->handle_count ||
-        !is_finite_pose(pose)) {
+    if (!has_handle(stand, handle) || pose == NULL || !is_finite_pose(pose)) {
         return SF_ERR_ARGUMENT;
     }
     stand->poses[handle] = *pose;
@@ -315,18 +339,17 @@ sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, const sf_pose *pose,
             !lock && (p < SFI_POSE_TURN || stand->options.turn);
     }
     stand->report.ended = 0;
-    stand->idle = 0;
     stand->first_round = stand->report.rounds;
     stand->descent = sfi_descent_begin(stand->options.mu);
-    stand->best_rank = 0;
-    stand->best_margin_rad = -INFINITY;
+    stand->best.idle = 0;
+    stand->best.rank = 0;
+    stand->best.margin_rad = -INFINITY;
     return SF_OK;
 }
 
 sf_pose sf_stand_get_pose(const sf_stand *stand, size_t handle)
 {
-    return stand != NULL && handle + 1 < stand->handle_count ? stand->poses[handle]
-                                                             : sf_pose_identity();
+    return has_handle(stand, handle) ? stand->poses[handle] : sf_pose_identity();
 }
 
 sf_mesh_view sf_stand_outer(const sf_stand *stand)

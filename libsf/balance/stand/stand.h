@@ -35,9 +35,18 @@ typedef struct sfi_stances {
     size_t safe_count;
 } sfi_stances;
 
+// The best round, and how many there were since.
+typedef struct sfi_record {
+    sf_pose *poses; // NULL where nothing bends
+    double energy, margin_rad;
+    uint32_t idle;
+    int rank; // 2: as was asked; 1: not folded; 0
+} sfi_record;
+
 struct sf_stand {
     sf_allocator allocator;
     sf_stand_options options; // every 0 replaced by what it stands for
+    sf_ballast *ballast;      // the options' own
     double size_mm;           // the longest side
     sf_mesh *outer;           // the triangles that were handed in
     double *vertices;         // its own, where they are
@@ -63,11 +72,8 @@ struct sf_stand {
     // The last round.
     sfi_carved carved;
     sf_stand_report report;
-    // The best round, and how many there were since.
-    sf_pose *best;
-    double best_energy, best_margin_rad;
-    uint32_t idle, first_round; // first_round: how many there were when poses were last set
-    int best_rank;              // 2: as was asked; 1: not folded; 0
+    sfi_record best;
+    uint32_t first_round; // how many rounds there were when poses were last set
 };
 
 // Whether handles may move at all.
@@ -98,12 +104,14 @@ sf_status sfi_stand_lattice(const sf_stand *stand, sf_mesh_view mesh, sf_lattice
 sf_status sfi_carved_make(const sf_stand *stand, const double *bent, const sf_pose *poses,
                           sf_stance *const *stances, sf_carve_goal goal, sf_task *task,
                           sfi_carved *carved);
-// Whether a bound can be given: all stances stand, and something is carved.
-int sfi_stand_has_best(const sf_stand *stand);
+// Whether a bound may be asked for of the shape in these poses: it is as it was handed in, all
+// stances stand, and something is carved.
+int sfi_stand_has_best(const sf_stand *stand, const sf_pose *poses);
 
 // The margin that no carving of the solid can pass; `rest` is what weighs and is no voxel of it.
+// There is none where carving could bring the centre of mass down to a ground.
 sf_status sfi_stand_best(const sf_stand *stand, const sf_grid *solid, const sf_grid *wall,
-                         const float *density, const sf_body *rest, sf_task *task,
+                         const float *density, const sf_body *rest, sf_task *task, int *has_bound,
                          double *bound_rad);
 
 void sfi_carved_free(const sf_stand *stand, sfi_carved *carved);

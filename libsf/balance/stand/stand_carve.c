@@ -235,10 +235,9 @@ static sf_status carve(carving *c, sf_stance *const *stances, sf_carve_goal goal
     options.stances = (const sf_stance *const *)stances;
     options.stance_count = s->stance_count;
     options.strut_width_vx = s->options.strut_width_vx;
-    if (s->report.rounds == 0 && sfi_stand_has_best(s)) {
-        c->made.has_bound = 1;
+    if (s->report.rounds == 0 && sfi_stand_has_best(s, c->poses)) {
         SF_TRY(sfi_stand_best(s, c->made.solid, c->wall, c->density, &options.rest, c->task,
-                              &c->made.bound_rad));
+                              &c->made.has_bound, &c->made.bound_rad));
     }
     return sf_grid_carve(c->made.solid, c->wall, &terms, &options, a, c->task, c->made.result,
                          NULL);

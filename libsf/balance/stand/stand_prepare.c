@@ -14,6 +14,7 @@
 
 #include "balance/stand/stand.h"
 
+#include "balance/stance/stance.h"
 #include "base/memory.h"
 #include "base/size.h"
 #include "base/status.h"
@@ -30,12 +31,12 @@ enum { PLACES = 4096 };
 
 // --- Stances -------------------------------------------------------------------------------------
 
-// The same stance, asked for a little more than it has to give.
+// The same stance, asked for a little more than it has to give, but for no more than can be asked.
 static sf_stance_options reserved(const sf_stand *stand, const sf_stance_options *asked)
 {
     sf_stance_options o = *asked;
     double reserve = stand->options.reserve_rad, least = 0.5 * o.tolerance_rad;
-    o.gamma_rad += reserve;
+    o.gamma_rad = o.gamma_rad + reserve < SFI_TILT_MAX ? o.gamma_rad + reserve : SFI_TILT_MAX;
     o.tolerance_rad = o.tolerance_rad - reserve > least ? o.tolerance_rad - reserve : least;
     return o;
 }
@@ -162,7 +163,7 @@ sf_status sfi_stand_take_stances(sf_stand *stand, sf_fault *fault)
 
 // --- What holds still ----------------------------------------------------------------------------
 
-// The voxels whose closed boxes hold a point.
+// The voxels whose closed boxes hold a point; none where it lies outside of the lattice.
 static sf_status hold(sf_grid *base, const double p[3])
 {
     sf_lattice l = sf_grid_lattice(base);
@@ -172,9 +173,11 @@ static sf_status hold(sf_grid *base, const double p[3])
     for (int d = 0; d < 3; d++) {
         double at = (p[d] - l.origin_mm[d]) / pitch[d];
         double first = floor(at - 1e-9), last = floor(at + 1e-9);
+        if (!(last >= 0 && first < counts[d])) {
+            return SF_OK;
+        }
         low[d] = first > 0 ? (uint32_t)first : 0;
-        high[d] = last > 0 ? (uint32_t)last : 0;
-        high[d] = high[d] < counts[d] ? high[d] : counts[d] - 1;
+        high[d] = last < counts[d] ? (uint32_t)last : counts[d] - 1;
     }
     for (uint32_t k = low[2]; k <= high[2]; k++) {
         sf_rect rect = {low[0], low[1], high[0] + 1, high[1] + 1};
@@ -348,7 +351,7 @@ sf_status sfi_stand_take_handles(const sf_handle *handles, size_t count, sf_task
     stand->handle_count = count + 1;
     SF_TRY(take(a, stand->handle_count, sizeof *stand->handles, &stand->handles));
     SF_TRY(take(a, stand->handle_count, sizeof *stand->poses, &stand->poses));
-    SF_TRY(take(a, stand->handle_count, sizeof *stand->best, &stand->best));
+    SF_TRY(take(a, stand->handle_count, sizeof *stand->best.poses, &stand->best.poses));
     SF_TRY(take(a, SFI_POSE_SIZE * stand->handle_count, 1, &stand->free));
     SF_TRY(
         take(a, sfi_energy_scratch(stand->handle_count), sizeof(double), &stand->energy_scratch));

@@ -8,8 +8,9 @@
 // anything; the best round is then taken up again, and carved once more, this time with as much
 // matter left in it as its stances allow.
 //
-// Everything is made aside, and put in place when all is known: a round that fails or is cancelled
-// has changed nothing.
+// Everything is made aside, and changes places with what there was when all is known; where the
+// carving at the end fails after that, or is cancelled, both change places again. So a round that
+// fails has changed nothing.
 //
 // Source: R. Prevost and others, "Make It Stand", SIGGRAPH 2013, section 3.2.
 
@@ -42,6 +43,7 @@ typedef struct attempt {
     sfi_stances stances; // of rocking shapes; else empty, and those of before stay
     sfi_carved carved;
     sfi_descent descent;
+    sfi_record best;
     uint32_t steps;
     double sunk;
     int remade; // 1: the stances are its own
@@ -51,6 +53,8 @@ static sf_status begin(const sf_stand *s, attempt *a)
 {
     memset(a, 0, sizeof *a);
     a->descent = s->descent;
+    a->best = s->best;
+    a->best.poses = NULL;
     a->bent = sfi_alloc_array(&s->allocator, s->surface.point_count, 3 * sizeof *a->bent);
     if (a->bent == NULL) {
         return SF_ERR_MEMORY;
@@ -60,10 +64,12 @@ static sf_status begin(const sf_stand *s, attempt *a)
         return SF_OK;
     }
     a->poses = sfi_alloc_array(&s->allocator, s->handle_count, sizeof *a->poses);
-    if (a->poses == NULL) {
+    a->best.poses = sfi_alloc_array(&s->allocator, s->handle_count, sizeof *a->poses);
+    if (a->poses == NULL || a->best.poses == NULL) {
         return SF_ERR_MEMORY;
     }
     memcpy(a->poses, s->poses, s->handle_count * sizeof *a->poses);
+    memcpy(a->best.poses, s->best.poses, s->handle_count * sizeof *a->poses);
     return SF_OK;
 }
 
@@ -71,6 +77,7 @@ static void drop(const sf_stand *s, attempt *a)
 {
     sfi_free_array(&s->allocator, a->bent, s->surface.point_count, 3 * sizeof *a->bent);
     sfi_free_array(&s->allocator, a->poses, s->handle_count, sizeof *a->poses);
+    sfi_free_array(&s->allocator, a->best.poses, s->handle_count, sizeof *a->poses);
     sfi_stances_free(s, &a->stances);
     sfi_carved_free(s, &a->carved);
 }
@@ -278,11 +285,11 @@ static int rank_of(const sf_stand_report *r)
 static int is_better(const sf_stand *s, const sf_stand_report *r)
 {
     int rank = rank_of(r), is_first = r->rounds == s->first_round + 1;
-    if (rank != s->best_rank || is_first) {
-        return rank > s->best_rank || is_first;
+    if (rank != s->best.rank || is_first) {
+        return rank > s->best.rank || is_first;
     }
-    return r->succeeded ? r->energy < (1 - GAIN_ENERGY) * s->best_energy
-                        : r->margin_rad > s->best_margin_rad + GAIN_MARGIN;
+    return r->succeeded ? r->energy < (1 - GAIN_ENERGY) * s->best.energy
+                        : r->margin_rad > s->best.margin_rad + GAIN_MARGIN;
 }
 
 static int is_over(const sf_stand *s, const sf_stand_report *r)
@@ -294,41 +301,48 @@ static int is_over(const sf_stand *s, const sf_stand_report *r)
         return r->succeeded || s->descent.ended;
     }
     return (r->succeeded && r->energy < 1e-12) ||
-           s->idle >= (s->best_rank == 2 ? IDLE_SAFE : IDLE_UNSAFE);
+           s->best.idle >= (s->best.rank == 2 ? IDLE_SAFE : IDLE_UNSAFE);
 }
 
-static void take(sf_stand *s, attempt *a, const sf_stand_report *report)
+// The shape and what was made change places; called again, they change back.
+static void change_places(sf_stand *s, attempt *a, sf_stand_report *report)
 {
-    if (a->poses != NULL) {
-        memcpy(s->poses, a->poses, s->handle_count * sizeof *s->poses);
-    }
-    memcpy(s->bent, a->bent, 3 * s->surface.point_count * sizeof *s->bent);
-    sfi_stand_surface_spread(&s->surface, s->bent, s->vertices);
-    if (a->remade) {
-        sfi_stances old = s->stances;
-        s->stances = a->stances;
-        a->stances = old;
-    }
-    sfi_carved old = s->carved;
+    attempt old = {.poses = s->poses,
+                   .bent = s->bent,
+                   .stances = s->stances,
+                   .carved = s->carved,
+                   .descent = s->descent,
+                   .best = s->best,
+                   .remade = a->remade};
+    sf_stand_report was = s->report;
+    s->poses = a->poses;
+    s->bent = a->bent;
+    s->stances = a->remade ? a->stances : s->stances;
     s->carved = a->carved;
-    a->carved = old;
     s->descent = a->descent;
+    s->best = a->best;
     s->report = *report;
+    if (!a->remade) {
+        memset(&old.stances, 0, sizeof old.stances);
+    }
+    *a = old;
+    *report = was;
+    sfi_stand_surface_spread(&s->surface, s->bent, s->vertices);
 }
 
-static void remember(sf_stand *s)
+// Keep a round in mind if it is the best so far.
+static void remember(const sf_stand *s, const sf_stand_report *r, attempt *a)
 {
-    const sf_stand_report *r = &s->report;
     if (!is_better(s, r)) {
-        s->idle++;
+        a->best.idle++;
         return;
     }
-    s->idle = 0;
-    s->best_rank = rank_of(r);
-    s->best_energy = r->energy;
-    s->best_margin_rad = r->margin_rad;
-    if (s->poses != NULL) {
-        memcpy(s->best, s->poses, s->handle_count * sizeof *s->best);
+    a->best.idle = 0;
+    a->best.rank = rank_of(r);
+    a->best.energy = r->energy;
+    a->best.margin_rad = r->margin_rad;
+    if (a->poses != NULL) {
+        memcpy(a->best.poses, a->poses, s->handle_count * sizeof *a->poses);
     }
 }
 
@@ -336,7 +350,7 @@ static void remember(sf_stand *s)
 // should not do, as before.
 static sf_status finish(sf_stand *s, sf_task *task)
 {
-    sf_carve_goal goals[2] = {s->best_rank == 2 ? SF_CARVE_ENOUGH : goal_of(s), goal_of(s)};
+    sf_carve_goal goals[2] = {s->best.rank == 2 ? SF_CARVE_ENOUGH : goal_of(s), goal_of(s)};
     if (!sfi_stand_bends(s)) {
         return SF_OK;
     }
@@ -345,7 +359,7 @@ static sf_status finish(sf_stand *s, sf_task *task)
         sf_stand_report report;
         sf_status status = begin(s, &a);
         if (status == SF_OK) {
-            memcpy(a.poses, s->best, s->handle_count * sizeof *a.poses);
+            memcpy(a.poses, s->best.poses, s->handle_count * sizeof *a.poses);
             status = bend(s, task, &a);
         }
         if (status == SF_OK) {
@@ -356,17 +370,17 @@ static sf_status finish(sf_stand *s, sf_task *task)
         }
         if (status == SF_OK) {
             report.rounds--; // it is no new one
-            take(s, &a, &report);
+            change_places(s, &a, &report);
         }
         drop(s, &a);
-        if (status != SF_OK || rank_of(&s->report) == s->best_rank) {
+        if (status != SF_OK || rank_of(&s->report) == s->best.rank) {
             return status;
         }
     }
     return SF_OK;
 }
 
-static sf_status make_round(sf_stand *s, sf_task *task, attempt *a, sf_stand_report *report)
+static sf_status make_round(const sf_stand *s, sf_task *task, attempt *a, sf_stand_report *report)
 {
     SF_TRY(begin(s, a));
     if (sfi_stand_bends(s)) {
@@ -376,7 +390,29 @@ static sf_status make_round(sf_stand *s, sf_task *task, attempt *a, sf_stand_rep
         SF_TRY(bend(s, task, a));
     }
     SF_TRY(carve(s, goal_of(s), task, a));
-    return describe(s, task, a, report);
+    SF_TRY(describe(s, task, a, report));
+    remember(s, report, a);
+    return SF_OK;
+}
+
+// A round, and the end where it is the last.
+static sf_status go_round(sf_stand *s, sf_task *task)
+{
+    attempt a;
+    sf_stand_report report;
+    sf_status status = make_round(s, task, &a, &report);
+    if (status == SF_OK) {
+        change_places(s, &a, &report);
+        if (is_over(s, &s->report)) {
+            status = finish(s, task);
+            s->report.ended = 1;
+        }
+        if (status != SF_OK) {
+            change_places(s, &a, &report);
+        }
+    }
+    drop(s, &a);
+    return status;
 }
 
 sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_stand_report *report)
@@ -387,20 +423,8 @@ sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_stand_report *report
     if (sf_task_is_cancelled(task)) {
         return SF_ERR_CANCELLED;
     }
-    attempt a;
-    sf_stand_report found;
     if (!stand->report.ended) {
-        sf_status status = make_round(stand, task, &a, &found);
-        if (status == SF_OK) {
-            take(stand, &a, &found);
-            remember(stand);
-        }
-        drop(stand, &a);
-        SF_TRY(status);
-        if (is_over(stand, &stand->report)) {
-            SF_TRY(finish(stand, task));
-            stand->report.ended = 1;
-        }
+        SF_TRY(go_round(stand, task));
     }
     if (report != NULL) {
         *report = stand->report;

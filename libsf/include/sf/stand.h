@@ -58,7 +58,8 @@ typedef struct sf_stand_options {
     double reserve_rad;       /**< bending aims at so much more than the stances ask for, because
                                    the carving after it is another; a tenth of a degree */
     uint32_t rounds_max;      /**< most rounds; 0 (default): 40, or 400 of descent, a step each */
-    const sf_ballast *ballast; /**< masses that sit in the shape, where they are before bending */
+    const sf_ballast *ballast; /**< masses that sit in the shape, where they are before bending;
+                                    copied */
     size_t ballast_count;      /**< how many; 0 by default */
     sf_density_field density;  /**< NULL (default): 1 everywhere */
     void *density_user;        /**< handed to it */
@@ -89,7 +90,9 @@ typedef struct sf_stand_report {
     double margin_before_rad; /**< of the solid as it was given */
     double bound_rad;         /**< standing alone: no carving of the shape as it was given has a
                                    better margin, were voxels carved by any fraction, support-free
-                                   or not; 90 degrees where nothing was carved */
+                                   or not; 90 degrees where nothing was carved, where handles were
+                                   posed before the first round, and where carving could bring the
+                                   centre of mass to the ground, off a table's edge */
     double com_mm[3];         /**< centre of mass of the shape as it is */
     double com_before_mm[3];  /**< and as it was given */
     double mass;              /**< density times volume in mm3 */
@@ -128,7 +131,8 @@ typedef struct sf_stand_report {
  * struct_size, a number of stances or handles out of range, what sf_mesh_validate() and
  * sf_stance_create() refuse, a base among the handles; SF_ERR_UNSUPPORTED: a mesh that is open or
  * inside out, a rule that does not serve; SF_ERR_INFEASIBLE: a handle outside the shape, or two
- * that touch, also the one that holds still; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * that touch, also the one that holds still; SF_ERR_OVERFLOW: a coordinate beyond 1e12, more voxels
+ * along an axis than a lattice has; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost weights, and 0.2 s for the energy of 172 000 triangles and six handles.
  * @threads any; one at a time for each allocator.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
@@ -154,7 +158,8 @@ SF_API void sf_stand_destroy(sf_stand *stand);
  * @param stand   the shape; on failure it is as it was
  * @param task    NULL, or progress, cancel and threads; the result is the same bytes with any
  * @param report  NULL, or receives how far it has come
- * @return SF_OK, be it standing or not; SF_ERR_ARGUMENT: NULL; SF_ERR_OVERFLOW; SF_ERR_MEMORY;
+ * @return SF_OK, be it standing or not; SF_ERR_ARGUMENT: NULL, poses by hand that leave a shape
+ * without mass; SF_ERR_OVERFLOW: poses that make it too large for its voxels; SF_ERR_MEMORY;
  * SF_ERR_CANCELLED.
  * @cost voxels, the exact wall, a carving and a few steps of the solver: some 0.2 s at 172 000
  * triangles and 80 000 voxels with the paper's carving.   @threads one for each shape.
