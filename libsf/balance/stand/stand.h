@@ -116,4 +116,18 @@ sf_status sfi_stand_best(const sf_stand *stand, const sf_grid *solid, const sf_g
 
 void sfi_carved_free(const sf_stand *stand, sfi_carved *carved);
 
+// What 1 mm3 weighs in each voxel of a bent shape, solid or not, in (layer, y, x) order; NULL where
+// that is 1 everywhere. SF_ERR_ARGUMENT: a density that is not above 0 or not finite.
+sf_status sfi_stand_weigh(const sf_stand *stand, const sf_pose *poses, const sf_grid *solid,
+                          sf_task *task, float **density, size_t *count);
+
+// A mass that is carried along, where it was before bending, into the sums of what bends. `scratch`
+// has room for 5 numbers a handle, and is not looked at where nothing bends.
+sf_status sfi_stand_carry(const sf_stand *stand, double mass, const double rest[3], double *scratch,
+                          sfi_carved *carved);
+
+// The same of all that the voxels left of a shape weigh more or less than 1.
+sf_status sfi_stand_carry_all(const sf_stand *stand, const sf_pose *poses, const float *density,
+                              sf_task *task, double *scratch, sfi_carved *carved);
+
 #endif

@@ -8,8 +8,8 @@
 //
 // What bends next is the surface of the cavity together with the outside. Its vertices lie in the
 // bent shape, so each is first followed back to where it was before bending; there its weights are
-// looked up. What weighs more or less than 1, and masses in points, are carried along, as sums of
-// mass times function (balance/bend/posture.h).
+// looked up. What weighs more or less than 1 (balance/stand/stand_density.c), and masses in points,
+// are carried along, as sums of mass times function (balance/bend/posture.h).
 //
 // Weights of voxels differ a little from those of meshes. What the outside weighs beyond its voxels
 // is handed to the carving as a body of its own, so that the balance is that of the meshes.
@@ -23,6 +23,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "mesh/mesh.h"
+#include "support/rule/terms.h"
 #include "voxel/slice.h"
 
 #include <math.h>
@@ -38,7 +39,7 @@ typedef struct carving {
     sf_mesh_view outside;
     sf_task *task;
     sf_lattice lattice;
-    sf_grid *wall, *other; // other: the solid by parity, then what is hollow
+    sf_grid *wall, *other; // other: the solid by parity, then what hangs, then what is hollow
     float *density;        // of each voxel, or NULL
     size_t voxel_count;
     sf_body ballast;
@@ -76,13 +77,6 @@ static sf_status make_voxels(carving *c)
 
 // --- Weights -------------------------------------------------------------------------------------
 
-static void centre_of(const sf_lattice *l, uint32_t x, uint32_t y, uint32_t k, double p[3])
-{
-    p[0] = l->origin_mm[0] + (x + 0.5) * l->pitch_x_mm;
-    p[1] = l->origin_mm[1] + (y + 0.5) * l->pitch_y_mm;
-    p[2] = l->origin_mm[2] + (k + 0.5) * l->layer_mm;
-}
-
 static sf_status unbend(const carving *c, const double *bent, size_t count, double *rest)
 {
     memcpy(rest, bent, 3 * count * sizeof *rest);
@@ -94,78 +88,12 @@ static sf_status unbend(const carving *c, const double *bent, size_t count, doub
                              rest, NULL, NULL);
 }
 
-// One row of densities, where the shape is solid.
-static sf_status read_density(carving *c, uint32_t y, uint32_t k, double *bent, double *rest)
-{
-    const sf_stand_options *o = &c->stand->options;
-    sf_slice slice = sf_grid_slice(c->made.solid, k);
-    float *row = c->density + ((size_t)k * c->lattice.ny + y) * c->lattice.nx;
-    size_t count = 0;
-    for (uint32_t x = 0; x < c->lattice.nx; x++) {
-        row[x] = 1;
-        if (sf_slice_get(slice, x, y)) {
-            centre_of(&c->lattice, x, y, k, bent + 3 * count++);
-        }
-    }
-    if (count > 0) {
-        SF_TRY(unbend(c, bent, count, rest));
-    }
-    count = 0;
-    for (uint32_t x = 0; x < c->lattice.nx; x++) {
-        if (sf_slice_get(slice, x, y)) {
-            row[x] = (float)o->density(o->density_user, rest + 3 * count++);
-        }
-    }
-    return SF_OK;
-}
-
-static sf_status read_densities(carving *c)
-{
-    const sf_allocator *a = &c->stand->allocator;
-    size_t room = 6 * (size_t)c->lattice.nx;
-    if (c->stand->options.density == NULL) {
-        return SF_OK;
-    }
-    if (!sfi_size_mul(c->lattice.nx, c->lattice.ny, &c->voxel_count) ||
-        !sfi_size_mul(c->voxel_count, c->lattice.nz, &c->voxel_count)) {
-        return SF_ERR_OVERFLOW;
-    }
-    c->density = sfi_alloc_array(a, c->voxel_count, sizeof *c->density);
-    double *bent = sfi_alloc_array(a, room, sizeof *bent);
-    sf_status status = c->density != NULL && bent != NULL ? SF_OK : SF_ERR_MEMORY;
-    for (uint32_t k = 0; k < c->lattice.nz && status == SF_OK; k++) {
-        for (uint32_t y = 0; y < c->lattice.ny && status == SF_OK; y++) {
-            status = read_density(c, y, k, bent, bent + room / 2);
-        }
-    }
-    sfi_free_array(a, bent, room, sizeof *bent);
-    return status;
-}
-
-// A mass that is carried along, where it was before bending.
-static sf_status carry(carving *c, double mass, const double rest[3], double *scratch)
-{
-    const sf_stand *s = c->stand;
-    c->made.loose_mass += mass;
-    if (!sfi_stand_bends(s)) {
-        return SF_OK;
-    }
-    SF_TRY(sf_weights_at(s->field, rest, scratch, NULL));
-    sf_blend one = {rest, scratch, 1, sf_weights_centers(s->field), s->handle_count};
-    double *phi = scratch + s->handle_count;
-    sfi_basis_at(&one, 0, phi);
-    for (size_t b = 0; b < sfi_basis_size(&one); b++) {
-        c->made.loose_sums[b] += mass * phi[b];
-    }
-    return SF_OK;
-}
-
 static sf_status find_ballast(carving *c, double *scratch)
 {
     const sf_stand *s = c->stand;
     for (size_t i = 0; i < s->options.ballast_count; i++) {
         sf_ballast b = s->options.ballast[i];
-        SF_TRY(carry(c, b.mass, b.at_mm, scratch));
+        SF_TRY(sfi_stand_carry(s, b.mass, b.at_mm, scratch, &c->made));
         if (sfi_stand_bends(s)) {
             SF_TRY(sf_weights_at(s->field, b.at_mm, scratch, NULL));
             sf_blend blend = {s->options.ballast[i].at_mm, scratch, 1, sf_weights_centers(s->field),
@@ -177,43 +105,24 @@ static sf_status find_ballast(carving *c, double *scratch)
     return SF_OK;
 }
 
-// What is denser or lighter than 1, of the voxels that are left.
-static sf_status find_loose(carving *c, double *scratch)
-{
-    const sf_lattice *l = &c->lattice;
-    double volume = l->pitch_x_mm * l->pitch_y_mm * l->layer_mm, p[3], rest[3];
-    for (size_t i = 0; c->density != NULL && i < c->voxel_count; i++) {
-        uint32_t x = (uint32_t)(i % l->nx), y = (uint32_t)(i / l->nx % l->ny),
-                 k = (uint32_t)(i / l->nx / l->ny);
-        if (sf_slice_get(sf_grid_slice(c->made.result, k), x, y) && c->density[i] != 1) {
-            centre_of(l, x, y, k, p);
-            SF_TRY(unbend(c, p, 1, rest));
-            SF_TRY(carry(c, (c->density[i] - 1) * volume, rest, scratch));
-        }
-    }
-    return SF_OK;
-}
-
 // --- The cavity ----------------------------------------------------------------------------------
 
-static sf_status count_unsupported(const carving *c, const sf_grid *grid, uint64_t *count)
-{
-    sf_check_options options = sf_check_options_default();
-    sf_check_report report;
-    options.rule = c->rule;
-    SF_TRY(sf_grid_check(grid, &options, &c->stand->allocator, NULL, &report, NULL));
-    *count = report.unsupported_voxels;
-    return SF_OK;
-}
-
-// What the solid does not support lies on its surface, and so in the wall: it is left, and counted
-// in both.
+// What hangs in the carved shape and was carried in the solid, both on the solid's bed. What hangs
+// in the solid itself may hang on: where the wall is thin some of it may even be carved away.
 static sf_status count_hanging(carving *c)
 {
-    uint64_t solid, result;
-    SF_TRY(count_unsupported(c, c->made.solid, &solid));
-    SF_TRY(count_unsupported(c, c->made.result, &result));
-    c->made.hanging_voxels = result > solid ? result - solid : 0;
+    const sf_allocator *a = &c->stand->allocator;
+    sf_terms terms = sf_terms_default();
+    uint32_t bed = sfi_first_matter(c->made.solid);
+    terms.rule = c->rule;
+    terms.bed_layer = bed < c->lattice.nz ? bed : SF_BED_AUTO;
+    SF_TRY(sf_grid_unsupported(c->made.solid, &terms, a, NULL, c->wall, NULL));
+    SF_TRY(sf_grid_unsupported(c->made.result, &terms, a, NULL, c->other, NULL));
+    for (uint32_t k = 0; k < c->lattice.nz; k++) {
+        sf_slice slice = sf_grid_slice(c->other, k);
+        SF_TRY(sf_slice_subtract(slice, slice, sf_grid_slice(c->wall, k)));
+        c->made.hanging_voxels += sf_slice_popcount(slice);
+    }
     return SF_OK;
 }
 
@@ -321,13 +230,14 @@ static sf_status go(carving *c, sf_stance *const *stances, sf_carve_goal goal, d
     const sf_stand_options *o = &c->stand->options;
     SF_TRY(make_voxels(c));
     SF_TRY(sf_rule_make(o->rule, o->angle_rad, &c->lattice, NULL, &c->rule, NULL));
-    SF_TRY(read_densities(c));
+    SF_TRY(
+        sfi_stand_weigh(c->stand, c->poses, c->made.solid, c->task, &c->density, &c->voxel_count));
     SF_TRY(find_ballast(c, scratch));
     SF_TRY(o->carve ? carve(c, stances, goal) : keep_all(c));
     SF_TRY(count_hanging(c));
     SF_TRY(make_cavity(c));
     SF_TRY(follow_back(c));
-    SF_TRY(find_loose(c, scratch));
+    SF_TRY(sfi_stand_carry_all(c->stand, c->poses, c->density, c->task, scratch, &c->made));
     return weigh(c);
 }
 

@@ -27,7 +27,8 @@ typedef enum sf_stand_solver {
     SF_STAND_DESCENT = 1   /**< the paper's gradient descent on a weighed sum; for comparison */
 } sf_stand_solver;
 
-/** What matter weighs at a place of the shape as it was before bending: 1 is the part's own. */
+/** What matter weighs at a place of the shape as it was before bending: 1 is the part's own; above
+    0, and finite as a float. Asked once a round for each voxel. */
 typedef double (*sf_density_field)(void *user, const double p_mm[3]);
 
 /** How a shape is made to stand. Fill with sf_stand_options_default(). */
@@ -158,9 +159,9 @@ SF_API void sf_stand_destroy(sf_stand *stand);
  * @param stand   the shape; on failure it is as it was
  * @param task    NULL, or progress, cancel and threads; the result is the same bytes with any
  * @param report  NULL, or receives how far it has come
- * @return SF_OK, be it standing or not; SF_ERR_ARGUMENT: NULL, poses by hand that leave a shape
- * without mass; SF_ERR_OVERFLOW: poses that make it too large for its voxels; SF_ERR_MEMORY;
- * SF_ERR_CANCELLED.
+ * @return SF_OK, be it standing or not; SF_ERR_ARGUMENT: NULL, a density that is not above 0 or not
+ * finite, poses by hand that leave a shape without mass; SF_ERR_OVERFLOW: poses that make it too
+ * large for its voxels; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost voxels, the exact wall, a carving and a few steps of the solver: some 0.2 s at 172 000
  * triangles and 80 000 voxels with the paper's carving.   @threads one for each shape.
  * @since 0.2
