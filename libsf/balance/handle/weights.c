@@ -13,6 +13,7 @@
 
 #include "balance/handle/weights_bounds.h"
 #include "balance/handle/weights_claim.h"
+#include "balance/handle/weights_loose.h"
 #include "balance/handle/weights_plate.h"
 #include "base/memory.h"
 #include "base/size.h"
@@ -168,53 +169,6 @@ static void normalize(double *w, size_t count)
     }
 }
 
-// A loose piece has the weights of one point: the point of the other pieces that is closest to the
-// middle of one of its cells.
-static void follow(const work *w, uint32_t piece, const uint8_t *skip, double *weights)
-{
-    const sfi_domain *d = &w->weights->domain;
-    sfi_spot best = {.cell = SFI_NO_CELL, .square = INFINITY};
-    for (size_t c = 0; c < d->cell_count; c++) {
-        double middle[3];
-        if (w->piece[d->corners[8 * c]] != piece) {
-            continue;
-        }
-        sfi_domain_middle(d, c, middle);
-        sfi_spot spot = sfi_domain_search(d, middle, skip, best.square);
-        best = spot.cell != SFI_NO_CELL ? spot : best;
-    }
-    sfi_weights_at(w->weights, &best, weights, NULL);
-}
-
-static sf_status settle_loose(work *w)
-{
-    const sfi_domain *d = &w->weights->domain;
-    double weights[SF_HANDLE_MAX];
-    uint32_t done = UINT32_MAX; // the piece whose weights these are
-    uint8_t *skip = sfi_alloc_array(&w->allocator, d->cell_count, sizeof *skip);
-    if (skip == NULL) {
-        return SF_ERR_MEMORY;
-    }
-    for (size_t c = 0; c < d->cell_count; c++) {
-        skip[c] = w->owner[d->corners[8 * c]] == SFI_NODE_LOOSE;
-    }
-    for (size_t i = 0; i < w->nodes; i++) {
-        if (w->owner[i] == SFI_NODE_LOOSE && w->piece[i] != done) {
-            done = w->piece[i];
-            follow(w, done, skip, weights);
-            for (size_t n = i; n < w->nodes; n++) {
-                if (w->piece[n] == done) {
-                    memcpy(w->weights->values + n * w->handles, weights,
-                           w->handles * sizeof *weights);
-                    w->owner[n] = SFI_NODE_FREE;
-                }
-            }
-        }
-    }
-    sfi_free_array(&w->allocator, skip, d->cell_count, sizeof *skip);
-    return SF_OK;
-}
-
 // ---------------------------------------------------------------------------------------------
 // The call
 // ---------------------------------------------------------------------------------------------
@@ -290,7 +244,8 @@ static sf_status make(work *w, const sf_grid *solid, const sf_handle *handles, s
     for (size_t i = 0; i < w->nodes; i++) {
         normalize(made->values + i * w->handles, w->handles);
     }
-    return made->facts.loose_count > 0 ? settle_loose(w) : SF_OK;
+    return made->facts.loose_count > 0 ? sfi_loose_settle(w->owner, w->piece, &w->allocator, made)
+                                       : SF_OK;
 }
 
 static int is_handle(const sf_handle *h)

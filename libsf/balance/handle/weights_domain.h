@@ -37,7 +37,7 @@ void sfi_domain_destroy(sfi_domain *domain);
 // The same with two cells taken together along each axis.
 sf_status sfi_domain_coarsen(const sfi_domain *fine, sfi_domain *coarse);
 
-// Place of the box that a voxel of the grid lies in. It must be a voxel of the box.
+// Place of the box by its three indices, in cells.
 static inline size_t sfi_domain_box_index(const sfi_domain *d, uint32_t i, uint32_t j, uint32_t k)
 {
     return ((size_t)k * d->cells[1] + j) * d->cells[0] + i;
@@ -59,6 +59,9 @@ typedef struct sfi_spot {
     double square; // of the distance between them
     int moved[3];  // whether it was moved along each axis
 } sfi_spot;
+
+// A point taken into a cell.
+sfi_spot sfi_domain_spot(const sfi_domain *domain, const double p[3], uint32_t cell);
 
 // The cell whose closed box lies closest to a point, which must be finite: the one that holds it,
 // if there is one; of several the last in (z, y, x) order. Cells with `skip` != 0, which may be

@@ -42,8 +42,7 @@ static double clamp(double x, double low, double high)
     return x < low ? low : x > high ? high : x;
 }
 
-// Take a cell if it is not further than what was found.
-static void consider(const sfi_domain *d, const double p[3], uint32_t cell, sfi_spot *best)
+sfi_spot sfi_domain_spot(const sfi_domain *d, const double p[3], uint32_t cell)
 {
     sfi_spot s = {cell, {0, 0, 0}, 0, {0, 0, 0}};
     for (int axis = 0; axis < 3; axis++) {
@@ -52,6 +51,13 @@ static void consider(const sfi_domain *d, const double p[3], uint32_t cell, sfi_
         s.moved[axis] = s.at[axis] != p[axis];
         s.square += (s.at[axis] - p[axis]) * (s.at[axis] - p[axis]);
     }
+    return s;
+}
+
+// Take a cell if it is not further than what was found.
+static void consider(const sfi_domain *d, const double p[3], uint32_t cell, sfi_spot *best)
+{
+    sfi_spot s = sfi_domain_spot(d, p, cell);
     // With nothing found and no limit any cell will do, though its square may be infinite.
     int ties = best->cell != SFI_NO_CELL ? cell > best->cell : best->square == INFINITY;
     if (s.square < best->square || (s.square == best->square && ties)) {

@@ -89,7 +89,8 @@ typedef struct sf_weights_facts {
  * @param options    NULL for the default
  * @param allocator  for the weights and for scratch: 8 bytes for each cell of the box around all,
  *                   and per corner 180, 8 a handle, and 310 for each four handles, 460 BOUNDED,
- *                   but for no more than 16 handles at once; NULL for the C library's
+ *                   but for no more than 16 handles at once; where pieces touch no handle 24 bytes
+ *                   for each cell of the box; NULL for the C library's
  * @param task       NULL, or progress, cancel, and threads, on which groups of four handles run
  * @param weights    receives the weights
  * @param fault      NULL, or receives a sentence on failure that names the handle
