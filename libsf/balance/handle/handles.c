@@ -77,7 +77,7 @@ sf_status sf_grid_foot(const sf_grid *solid, const double up[3], double height_m
         return SF_ERR_ARGUMENT;
     }
     double length = sqrt((up[0] * up[0] + up[1] * up[1]) + up[2] * up[2]);
-    if (!(length > 0) || !isfinite(length)) {
+    if (!(length > 1e-100 && length < 1e100)) { // beyond these squares are no numbers
         return SF_ERR_ARGUMENT;
     }
     for (int axis = 0; axis < 3; axis++) {

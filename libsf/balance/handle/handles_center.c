@@ -15,6 +15,8 @@
 
 #include <math.h>
 
+#define FARTHEST 1e12 // mm, as in a lattice
+
 typedef struct walk {
     const sf_grid *solid;
     sf_lattice lattice;
@@ -85,8 +87,9 @@ static void start(walk *w)
     }
     for (int axis = 0; axis < 2; axis++) {
         double p = w->from[axis] + w->begin * w->unit[axis] - w->lattice.origin_mm[axis];
-        int64_t i = (int64_t)floor(p / edge_of(w, axis)), last = count_of(w, axis) - 1;
-        w->at[axis] = i < 0 ? 0 : i > last ? last : i;
+        double i = floor(p / edge_of(w, axis));
+        int64_t last = count_of(w, axis) - 1;
+        w->at[axis] = i > 0 ? i < (double)last ? (int64_t)i : last : 0;
     }
     w->at[2] = 0;
     w->low = w->lattice.origin_mm[2];
@@ -154,27 +157,43 @@ static int find_stretch(walk *w, double enough, double *enter, double *leave)
     return found;
 }
 
+// The direction with length 1; returns 0 where it has none. Squares of what is very long or very
+// short are no numbers, so it is brought to a fair length first.
+static int make_unit(const double direction[3], double unit[3])
+{
+    double most = 0, sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        most = fabs(direction[axis]) > most ? fabs(direction[axis]) : most;
+    }
+    int is_fair = most > 1e-100 && most < 1e100;
+    for (int axis = 0; axis < 3; axis++) {
+        unit[axis] = is_fair ? direction[axis] : direction[axis] / most;
+        sum += unit[axis] * unit[axis];
+    }
+    double length = sqrt(sum);
+    for (int axis = 0; axis < 3; axis++) {
+        unit[axis] /= length;
+    }
+    return length > 0 && isfinite(length);
+}
+
 sf_status sf_handle_center(const sf_grid *solid, const double from_mm[3], const double direction[3],
                            double center_mm[3], sf_fault *fault)
 {
-    double sum = 0, enter = 0, leave = 0;
+    double enter = 0, leave = 0;
     if (solid == NULL || from_mm == NULL || direction == NULL || center_mm == NULL) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "a pointer is missing");
     }
     walk w = {.solid = solid, .lattice = sf_grid_lattice(solid)};
-    int finite = 1;
+    int is_place = 1;
     for (int axis = 0; axis < 3; axis++) {
-        sum += direction[axis] * direction[axis];
-        finite &= isfinite(from_mm[axis]);
-    }
-    double length = sqrt(sum);
-    if (!(length > 0) || !isfinite(length) || !finite) {
-        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
-                             "a ray needs a point and a direction, all finite and not zero");
-    }
-    for (int axis = 0; axis < 3; axis++) {
+        is_place = is_place && fabs(from_mm[axis]) <= FARTHEST;
         w.from[axis] = from_mm[axis];
-        w.unit[axis] = direction[axis] / length;
+    }
+    if (!is_place || !make_unit(direction, w.unit)) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
+                             "a ray needs a point within 1e12 mm, and a direction that is finite "
+                             "and not zero");
     }
     double edge =
         w.lattice.pitch_x_mm < w.lattice.pitch_y_mm ? w.lattice.pitch_x_mm : w.lattice.pitch_y_mm;

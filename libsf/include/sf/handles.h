@@ -56,7 +56,8 @@ SF_API SF_CHECKED sf_status sf_handle_base(const sf_grid *region, sf_handle *han
  * The foot of a solid: its voxels that lie lowest, seen against a direction.
  *
  * @param solid      the voxels
- * @param up         the direction that points up, of any length but 0; +z is not special
+ * @param up         the direction that points up, of any length from 1e-100 to 1e100; +z is not
+ *                   special
  * @param height_mm  how far above the lowest centre of a voxel the centres of the foot may lie;
  *                   at least 0
  * @param allocator  for the new grid; NULL for the C library's
@@ -92,16 +93,17 @@ SF_API SF_CHECKED sf_status sf_grid_cover(const sf_grid *solid, sf_mesh_view sur
 /**
  * The middle of the solid behind a point, as one who points at a surface means it.
  *
- * The ray runs from the point, which may lie anywhere, and ends where it first leaves the solid
- * voxels that it has entered. The middle of that stretch is the place of the handle.
+ * The ray runs from the point, which may lie anywhere within 1e12 mm, and ends where it first
+ * leaves the solid voxels that it has entered. The middle of that stretch is the place of the
+ * handle.
  *
  * @param solid      the voxels
  * @param from_mm    where the ray begins: on the surface, before it, or in the solid
  * @param direction  where it runs, of any length but 0
  * @param center_mm  receives the middle; may be `from_mm`
  * @param fault      NULL, or receives a sentence on failure
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a number that is not finite, a direction without
- * length; SF_ERR_INFEASIBLE: the ray meets no solid voxel.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a point beyond 1e12 mm, a direction that is not
+ * finite or without length; SF_ERR_INFEASIBLE: the ray meets no solid voxel.
  * @cost the voxels that the ray passes.   @threads any.
  * @source the paper's section 5; J. Amanatides, A. Woo, "A Fast Voxel Traversal Algorithm for Ray
  * Tracing", Eurographics 1987.

@@ -29,7 +29,8 @@ typedef enum sf_stance_kind {
 typedef struct sf_stance_options {
     size_t struct_size;       /**< sizeof(sf_stance_options), set by the default */
     sf_stance_kind kind;      /**< standing by default */
-    double up[3];             /**< the direction away from the ground, of any length but 0: +z */
+    double up[3];             /**< the direction away from the ground, of any length from 1e-100 to
+                                   1e100: +z */
     double gamma_rad;         /**< standing: the tilt of the ground, in whatever direction, that it
                                    must survive: 4 degrees; 0 to 80 degrees */
     double tolerance_rad;     /**< hanging, rocking: how far from the pose asked for it may come to
@@ -281,7 +282,8 @@ typedef struct sf_rest {
  * @param mesh       vertices in mm, with triangles; coordinates up to 1e12; only vertices that
  *                   triangles use count, and it need not be closed
  * @param com_mm     its centre of mass, in its convex hull (to a millionth of the diagonal)
- * @param ups        of each start, the direction of the mesh that points up, of any length but 0
+ * @param ups        of each start, the direction of the mesh that points up, of any length from
+ *                   1e-100 to 1e100
  * @param count      how many starts
  * @param allocator  for scratch, 500 bytes a vertex at worst; NULL for the C library's
  * @param rests      receives one for each start

@@ -219,6 +219,39 @@ static void feet_refuse_nonsense_and_free_what_they_took(void)
     sf_grid_destroy(grid);
 }
 
+// From as far as a place can be, and by a direction however long, the middle is the middle; what is
+// no place is refused, and never answered with what is no number.
+static void rays_come_from_afar(void)
+{
+    sf_lattice lattice = {8, 8, 8, 1, 1, 1, NULL, {0, 0, 0}};
+    sf_grid *grid = random_solid(&lattice, 2);
+    const double lengths[] = {1, 1e-300, 1e-160, 1e160, 1e308};
+    for (int i = 0; i < 5; i++) {
+        const double starts[] = {-1, -1e6, -1e12};
+        const double along[3] = {lengths[i], 0, 0}, aslant[3] = {lengths[i], lengths[i], 0};
+        for (int j = 0; j < 3; j++) {
+            const double from[3] = {starts[j], 3.5, 4.5}, corner[3] = {starts[j], starts[j], 4.5};
+            double at[3] = {-9, -9, -9};
+            CHECK_EQ(sf_handle_center(grid, from, along, at, NULL), SF_OK);
+            CHECK_NEAR(at[0], 4, 1e-3);
+            CHECK(at[1] == 3.5 && at[2] == 4.5);
+            CHECK_EQ(sf_handle_center(grid, corner, aslant, at, NULL), SF_OK);
+            CHECK_NEAR(at[0], 4, 1e-3);
+            CHECK_NEAR(at[1], 4, 1e-3);
+        }
+    }
+    const double beyond[][3] = {{-2e12, 4, 4}, {1e300, 4, 4}, {1e308, 1e308, 1e308}, {4, NAN, 4}};
+    const double down[3] = {-1, -1, -1}, zero[3] = {0, 0, 0}, no[3] = {1, INFINITY, 0};
+    double at[3] = {-9, -9, -9};
+    for (int i = 0; i < 4; i++) {
+        CHECK_EQ(sf_handle_center(grid, beyond[i], down, at, NULL), SF_ERR_ARGUMENT);
+    }
+    CHECK_EQ(sf_handle_center(grid, at, zero, at, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_handle_center(grid, at, no, at, NULL), SF_ERR_ARGUMENT);
+    CHECK(at[0] == -9 && at[1] == -9 && at[2] == -9);
+    sf_grid_destroy(grid);
+}
+
 int main(void)
 {
     TEST(feet_are_what_lies_lowest);
@@ -227,5 +260,6 @@ int main(void)
     TEST(centers_are_the_middle_of_what_a_ray_enters);
     TEST(rays_that_are_none_are_refused);
     TEST(feet_refuse_nonsense_and_free_what_they_took);
+    TEST(rays_come_from_afar);
     return test_finish();
 }
