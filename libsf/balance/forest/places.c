@@ -79,9 +79,28 @@ static void add_along_x(const float *values, uint32_t nx, uint32_t width, float 
     }
 }
 
+// Masses are in units of a volume, and of 2^100 where densities are so large that the sums over a
+// square would leave a float's range.
+static float unit_of(const sfi_interior *in, const float *density)
+{
+    sf_lattice l = in->lattice;
+    for (uint32_t k = 0; density != NULL && k < l.nz; k++) {
+        for (uint32_t y = 0; y < l.ny; y++) {
+            const uint64_t *row = sfi_slice_row(sf_grid_slice(in->solid, k), y);
+            const float *dense = density + ((size_t)k * l.ny + y) * l.nx;
+            for (uint32_t x = 0; x < l.nx; x++) {
+                if ((row[x / 64] >> (x % 64) & 1) != 0 && dense[x] > 0x1p60f) {
+                    return 0x1p-100f;
+                }
+            }
+        }
+    }
+    return 1;
+}
+
 // What each voxel of layer k weighs, where it is not wall, summed up over `width` of them along x.
-static void weigh_rows(const sfi_places *p, const float *density, uint32_t k, float *values,
-                       float *sums)
+static void weigh_rows(const sfi_places *p, const float *density, uint32_t k, float unit,
+                       float *values, float *sums)
 {
     const sfi_interior *in = p->in;
     sf_lattice l = in->lattice;
@@ -92,7 +111,7 @@ static void weigh_rows(const sfi_places *p, const float *density, uint32_t k, fl
         const float *dense = density != NULL ? density + ((size_t)k * l.ny + y) * l.nx : NULL;
         for (uint32_t x = 0; x < l.nx; x++) {
             int is_loose = (int)((all[x / 64] & ~stays[x / 64]) >> (x % 64) & 1);
-            values[x] = !is_loose ? 0 : dense != NULL ? dense[x] * one : one;
+            values[x] = !is_loose ? 0 : dense != NULL ? dense[x] * unit * one : one;
         }
         add_along_x(values, l.nx, in->width, sums + (size_t)y * l.nx);
     }
@@ -127,10 +146,11 @@ static sf_status find_masses(sfi_places *p, const float *density)
     float *values = sfi_alloc_array(&in->allocator, nx, sizeof *values);
     float *sums = sfi_alloc_array(&in->allocator, ny, nx * sizeof *sums);
     sf_status status = values != NULL && sums != NULL ? SF_OK : SF_ERR_MEMORY;
+    float unit = unit_of(in, density);
     for (uint32_t k = 0; status == SF_OK && k < in->lattice.nz; k++) {
         status = sf_task_is_cancelled(in->task) ? SF_ERR_CANCELLED : SF_OK;
         if (status == SF_OK && sfi_slice_any(sf_grid_slice(in->places, k))) {
-            weigh_rows(p, density, k, values, sums);
+            weigh_rows(p, density, k, unit, values, sums);
             weigh_layer(p, k, sums);
         }
     }

@@ -155,6 +155,36 @@ static void without_stances(void)
     end(&c);
 }
 
+// Densities are in any unit: what is so many times as dense everywhere is carved the same, also
+// where the unit is a strange one.
+static void the_unit_of_densities_does_not_matter(void)
+{
+    static const float units[] = {1, 0x1p-120f, 0x1p-30f, 0x1p50f, 0x1p100f, 0x1p127f};
+    static float density[27 * 10 * 32];
+    for (int mode = 0; mode < 2; mode++) {
+        calls c;
+        sf_grid *first = NULL;
+        sf_terms terms = sf_terms_default();
+        begin(&c);
+        CHECK_EQ(sf_grid_clone(c.was, NULL, &first), SF_OK);
+        c.options.mode = (sf_carve_mode)mode;
+        c.options.density = density;
+        for (int i = 0; i < 6; i++) {
+            sf_carve_report r;
+            for (uint32_t j = 0; j < 27 * 10 * 32; j++) {
+                density[j] = units[i] * (j % 27 < 9 ? 1.0f : 0.75f);
+            }
+            CHECK_EQ(sf_grid_carve(c.solid, c.wall, &terms, &c.options, NULL, NULL,
+                                   i == 0 ? first : c.result, &r),
+                     SF_OK);
+            CHECK(r.safe && r.removed_voxels > 0);
+            CHECK(i == 0 || sf_grid_equal(first, c.result));
+        }
+        sf_grid_destroy(first);
+        end(&c);
+    }
+}
+
 #define CARVE(solid, wall, terms, result)                                                          \
     sf_grid_carve(solid, wall, terms, &c.options, NULL, NULL, result, &r)
 
@@ -222,6 +252,7 @@ int main(void)
     TEST(a_leaning_part_stands_and_prints);
     TEST(what_must_stay_stays);
     TEST(without_stances);
+    TEST(the_unit_of_densities_does_not_matter);
     TEST(nonsense_is_refused);
     return test_finish();
 }
