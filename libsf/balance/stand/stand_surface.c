@@ -5,7 +5,8 @@
 // each position once, because neighbours must be known, and in an order in which neighbours lie
 // near each other in memory. Triangles follow their first corner. The way back is one number a
 // vertex: the mesh that was handed in keeps its triangles and its vertices, and only their places
-// change.
+// change. Vertices that no triangle uses are no part of it: files hold some, and they weigh
+// nothing, stand on nothing and are not to be bent.
 
 #include "balance/stand/stand_surface.h"
 
@@ -16,11 +17,47 @@
 
 #include <string.h>
 
-// The places of distinct points, by the number that sfi_mesh_positions() gave them.
-static void collect(sf_mesh_view mesh, const uint32_t *ids, double *places)
+// Number the points anew, those that triangles use alone. `number` has a place for each.
+static void leave_out_unused(sf_mesh_view mesh, uint32_t *number, sfi_stand_surface *made)
+{
+    uint32_t used = 0;
+    for (size_t i = 0; i < made->point_count; i++) {
+        number[i] = SFI_NO_POINT;
+    }
+    for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
+        number[made->point_of[mesh.triangles[i]]] = 0;
+    }
+    for (size_t i = 0; i < made->point_count; i++) {
+        number[i] = number[i] == 0 ? used++ : SFI_NO_POINT;
+    }
+    for (size_t v = 0; v < mesh.vertex_count; v++) {
+        made->point_of[v] = number[made->point_of[v]];
+    }
+    made->point_count = used;
+}
+
+// Find the points.
+static sf_status number_points(sf_mesh_view mesh, const sf_allocator *allocator,
+                               sfi_stand_surface *made)
+{
+    SF_TRY(sfi_mesh_positions(mesh, allocator, made->point_of, &made->point_count));
+    size_t count = made->point_count;
+    uint32_t *number = sfi_alloc_array(allocator, count, sizeof *number);
+    if (number == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    leave_out_unused(mesh, number, made);
+    sfi_free_array(allocator, number, count, sizeof *number);
+    return SF_OK;
+}
+
+// The places of the points, each that of its first vertex.
+static void collect(sf_mesh_view mesh, const uint32_t *point_of, double *places)
 {
     for (size_t v = mesh.vertex_count; v-- > 0;) {
-        memcpy(places + 3 * (size_t)ids[v], mesh.vertices + 3 * v, 3 * sizeof *places);
+        if (point_of[v] != SFI_NO_POINT) {
+            memcpy(places + 3 * (size_t)point_of[v], mesh.vertices + 3 * v, 3 * sizeof *places);
+        }
     }
 }
 
@@ -41,7 +78,9 @@ static sf_status arrange(sf_mesh_view mesh, const sf_allocator *allocator, doubl
         memcpy(made->points + 3 * i, places + 3 * (size_t)order[i], 3 * sizeof *places);
     }
     for (size_t v = 0; status == SF_OK && v < made->vertex_count; v++) {
-        made->point_of[v] = rank[made->point_of[v]];
+        if (made->point_of[v] != SFI_NO_POINT) {
+            made->point_of[v] = rank[made->point_of[v]];
+        }
     }
     sfi_free_array(allocator, order, count, sizeof *order);
     sfi_free_array(allocator, rank, count, sizeof *rank);
@@ -77,7 +116,7 @@ static void sort_triangles(sf_mesh_view mesh, size_t *start, sfi_stand_surface *
 
 static sf_status fill(sf_mesh_view mesh, const sf_allocator *allocator, sfi_stand_surface *made)
 {
-    SF_TRY(sfi_mesh_positions(mesh, allocator, made->point_of, &made->point_count));
+    SF_TRY(number_points(mesh, allocator, made));
     double *places = sfi_alloc_array(allocator, made->point_count, 3 * sizeof *places);
     size_t *start = sfi_alloc_array(allocator, made->point_count + 1, sizeof *start);
     made->point_room = made->point_count;
@@ -133,7 +172,10 @@ void sfi_stand_surface_spread(const sfi_stand_surface *surface, const double *po
                               double *vertices)
 {
     for (size_t v = 0; v < surface->vertex_count; v++) {
-        memcpy(vertices + 3 * v, points + 3 * (size_t)surface->point_of[v], 3 * sizeof *vertices);
+        uint32_t point = surface->point_of[v];
+        if (point != SFI_NO_POINT) {
+            memcpy(vertices + 3 * v, points + 3 * (size_t)point, 3 * sizeof *vertices);
+        }
     }
 }
 

@@ -6,12 +6,16 @@
 
 #include "balance/bend/incidence.h"
 
+// A vertex that no triangle uses: it is no part of the surface, and stays where it is.
+#define SFI_NO_POINT UINT32_MAX
+
 // Points of distinct position in the order of a space-filling curve, and the triangles with three
 // distinct corners.
 typedef struct sfi_stand_surface {
     double *points; // x, y, z of each
     uint32_t *triangles;
-    uint32_t *point_of; // of each vertex of the mesh that was handed in
+    uint32_t
+        *point_of; // of each vertex of the mesh that was handed in; SFI_NO_POINT: no triangle's
     size_t point_count, triangle_count, vertex_count;
     size_t point_room, triangle_room;
     sfi_incidence incidence;

@@ -173,6 +173,45 @@ static void a_bound_is_of_the_shape_as_given(void)
     sf_stand_destroy(stand);
 }
 
+// Files hold vertices that no triangle uses. They stand nowhere, weigh nothing, and bend nothing:
+// all is as it is without them, and they stay where they are.
+static void vertices_of_no_triangle_do_not_count(void)
+{
+    static const double strays[3][3] = {{0, 0, -500}, {200, 0, -0.5}, {30, 0, 2}};
+    sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+    sf_stance_options stance = sf_stance_options_default();
+    sf_handle handles[3];
+    size_t count = handles_of(0.3, handles);
+    o.pitch_mm = 2;
+    sf_stand *whole = make_with(&o, &stance, NULL), *stand = NULL;
+    sf_mesh *mesh = bottle(0.3), *more = NULL;
+    sf_mesh_view view = sf_mesh_get_view(mesh);
+    CHECK_EQ(sf_mesh_create(NULL, &more), SF_OK);
+    CHECK_EQ(sf_mesh_add_vertices(more, strays[0], 1), SF_OK); // before all others, and after
+    CHECK_EQ(sf_mesh_add_vertices(more, view.vertices, view.vertex_count), SF_OK);
+    CHECK_EQ(sf_mesh_add_vertices(more, strays[1], 2), SF_OK);
+    for (size_t t = 0; t < view.triangle_count; t++) {
+        const uint32_t *c = view.triangles + 3 * t, moved[3] = {c[0] + 1, c[1] + 1, c[2] + 1};
+        CHECK_EQ(sf_mesh_add_triangles(more, moved, 1), SF_OK);
+    }
+    CHECK_EQ(sf_stand_create(sf_mesh_get_view(more), &stance, 1, handles, count, &o, NULL, NULL,
+                             &stand, NULL),
+             SF_OK);
+    CHECK_EQ(sf_stand_run(whole, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_stand_run(stand, NULL, NULL), SF_OK);
+    sf_stand_report r = sf_stand_describe(stand), q = sf_stand_describe(whole);
+    CHECK(r.succeeded && q.succeeded && r.sunk_mm == q.sunk_mm && r.energy == q.energy);
+    CHECK(r.displacement_mm > 1 && r.displacement_mm == q.displacement_mm);
+    const double *now = sf_stand_outer(stand).vertices;
+    CHECK(memcmp(now + 3, sf_stand_outer(whole).vertices, 24 * view.vertex_count) == 0);
+    CHECK(memcmp(now, strays[0], 24) == 0);
+    CHECK(memcmp(now + 3 * (view.vertex_count + 1), strays[1], 48) == 0);
+    sf_stand_destroy(whole);
+    sf_stand_destroy(stand);
+    sf_mesh_destroy(mesh);
+    sf_mesh_destroy(more);
+}
+
 // Masses belong to the shape: what becomes of the caller's array does not matter.
 static void masses_are_kept(void)
 {
@@ -218,6 +257,7 @@ int main(void)
     TEST(off_the_edge_of_a_table);
     TEST(a_lip_over_the_edge_of_a_table);
     TEST(a_bound_is_of_the_shape_as_given);
+    TEST(vertices_of_no_triangle_do_not_count);
     TEST(masses_are_kept);
     TEST(too_large_is_said_to_be);
     return test_finish();
