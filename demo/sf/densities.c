@@ -15,6 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+// What voxels can hold, with room to spare.
+#define DENSITY_LEAST 1e-30
+#define DENSITY_MOST 1e30
+
 static exit_status fail(cli_job *job, exit_status status, const char *what)
 {
     return job_fail(job, status, "--density %.300s: %s", job->options.density, what);
@@ -220,8 +224,8 @@ exit_status densities_read(cli_job *job, const part *p, densities *d)
     if (end == text || *end != '\0') {
         return read_file(job, p, d);
     }
-    if (errno != 0 || !(number > 0) || !isfinite(number)) {
-        return fail(job, EXIT_USAGE, "a density is above 0.");
+    if (errno != 0 || !(number >= DENSITY_LEAST && number <= DENSITY_MOST)) {
+        return fail(job, EXIT_USAGE, "a density is above 0: a number from 1e-30 to 1e30.");
     }
     d->all = number;
     return EXIT_GOOD;

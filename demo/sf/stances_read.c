@@ -21,8 +21,9 @@ static double height_along(const part *p, const double up[3])
 {
     sf_mesh_view mesh = sf_mesh_get_view(p->mesh);
     double low = INFINITY, high = -INFINITY;
-    for (size_t i = 0; i < mesh.vertex_count; i++) {
-        const double *v = mesh.vertices + 3 * i;
+    for (size_t i = 0; i < 3 * mesh.triangle_count;
+         i++) { // vertices that no triangle uses are none
+        const double *v = mesh.vertices + 3 * (size_t)mesh.triangles[i];
         double h = v[0] * up[0] + v[1] * up[1] + v[2] * up[2];
         low = fmin(low, h);
         high = fmax(high, h);

@@ -192,6 +192,11 @@ near "$(value margin_deg)" 0 1e-9 "hung from the middle of its top it hangs as i
 same "$(value stances.0.kind) $(value safe) $(value bound_deg)" "hang true null" "and says so"
 exits 1 stand block.obj --suspend 30,15,20 --no-carve --no-deform --json
 near "$(value margin_deg)" -45 1e-9 "hung 10 mm beside it, it turns by 45 degrees"
+exits 3 stand block.obj --suspend 20,15,40
+grep -q 'lies 20 mm outside of the model' stderr
+ok $? "tied to the air it does not hang: $(cat stderr)"
+exits 3 stand block.obj --suspend 200,150,200 --units cm --no-deform # a slip of the unit
+exits 0 stand block.obj --suspend 20,15,12 --resolution 32 --no-deform
 
 # Rest: a block on its edge falls onto a side, and a slab put on its narrow side stays there.
 exits 0 stand block.obj --up +x --rest --json
@@ -252,6 +257,26 @@ near "$(value com_mm.2)" 7.5 1e-6 "with a heavy half the centre of mass is lower
 near "$(value mass)" 48000 1e-3 "and it weighs what its halves do"
 exits 0 stand block.obj --rest --density density.json --json
 near "$(value rest.height_mm)" 7.5 1e-6 "also where it rests"
+
+# A number says how heavy all of it is, and takes no longer; one that voxels cannot hold is refused.
+exits 0 stand tower.obj --wall 1 --resolution 40 --density 2 --json
+same "$(value safe)" true "twice as heavy, the tower is bent upright"
+for bad in 0 -1 nan inf 1e-300 1e300; do
+    exits 2 stand block.obj --density $bad
+done
+
+# As steep as can be asked for; off a table's edge; with a vertex far below that nothing uses.
+run stand block.obj --gamma 80 --no-deform --resolution 24
+same "$exit" 1 "80 degrees can be asked for, and are not reached"
+{ box table.obj 0 0 0 10 10 10; cat table.obj; box arm.obj 10 0 -60 40 10 5
+  awk '/^v/ { print } /^f/ { print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8 }' arm.obj; } >hook.obj
+for deform in '' --no-deform; do
+    run stand hook.obj --contacts 'z>-1' --gamma 2 --resolution 40 $deform --json
+    same "$exit $(value stands) $(value bound_deg)" "1 false null" "off a table's edge it falls, and there is no bound"
+done
+{ cat block.obj; echo 'v 5 5 -5000'; } >stray.obj
+exits 0 stand stray.obj --resolution 24 --json
+near "$(value max_displacement_mm)" 0 1e-9 "a vertex of no triangle makes no foot"
 
 # Inside out, open.
 awk '/^f/ { print $1, $5, $4, $3, $2; next } { print }' block.obj >inside_out.obj
