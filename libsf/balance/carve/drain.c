@@ -144,6 +144,7 @@ static void destroy(sfi_drainer *d)
     size_t pieces = (size_t)d->pieces.count + 1;
     sfi_free_array(a, d->is_open, pieces, 2);
     sfi_free_array(a, d->voids, pieces, sizeof *d->voids);
+    sfi_free_array(a, d->marks.list, pieces, sizeof *d->marks.list);
     sfi_pieces_destroy(&d->pieces, a);
     sfi_free_array(a, d->slices[0].words, d->slice_words, 3 * sizeof *d->slices[0].words);
     sfi_free_array(a, d->ups, d->options->stance_count, sizeof *d->ups);

@@ -64,10 +64,11 @@ sf_status sfi_drainer_find(sfi_drainer *d)
     size_t count = d->pieces.count;
     d->is_open = sfi_alloc_array(&d->allocator, count + 1, 2);
     d->voids = sfi_alloc_array(&d->allocator, count + 1, sizeof *d->voids);
-    if (d->is_open == NULL || d->voids == NULL) {
+    d->marks.list = sfi_alloc_array(&d->allocator, count + 1, sizeof *d->marks.list);
+    if (d->is_open == NULL || d->voids == NULL || d->marks.list == NULL) {
         return SF_ERR_MEMORY;
     }
-    d->marks = d->is_open + count + 1;
+    d->marks.is_marked = d->is_open + count + 1;
     memset(d->is_open, 0, 2 * (count + 1));
     measure_pieces(d, d->voids);
     for (size_t i = 0; i < count; i++) {
@@ -150,7 +151,7 @@ static sf_status take_lost(sfi_drainer *d, sf_box box, sfi_bore *bore)
         sf_slice trial = sf_grid_slice(d->trial, k);
         SF_TRY(sf_slice_subtract(trial, trial, sf_grid_slice(d->lost, k)));
     }
-    sfi_drill_mark_around(&d->plan, d->lost, box, d->marks);
+    sfi_drill_mark_around(&d->plan, d->lost, box, &d->marks);
     return SF_OK;
 }
 
@@ -186,7 +187,7 @@ static sf_status try_outlet(sfi_drainer *d, const sfi_closed_void *hollow, const
         SF_TRY(copy_layers(d->trial, d->made, low, high));
         return status;
     }
-    sfi_drill_mark(&d->plan, begin, d->marks);
+    sfi_drill_mark(&d->plan, begin, &d->marks);
     SF_TRY(copy_layers(d->made, d->trial, low, high));
     SF_TRY(copy_layers(d->made, d->trial, box.z0, box.z1));
     return note(d, hollow, &begin, &bore);
@@ -268,16 +269,18 @@ static sf_status drain_void(sfi_drainer *d, sfi_closed_void *hollow)
         hollow->is_narrow = 1;
         return SF_OK;
     }
-    memset(d->marks, 0, d->pieces.count);
     SF_TRY(drill_kind(d, hollow, 0, &left));
     hollow->is_narrow = d->outlets.count == 0;
     if (left == d->options->count) {
         SF_TRY(drill_kind(d, hollow, 1, &left));
     }
     d->is_open[hollow->piece] |= left < d->options->count;
-    for (uint32_t i = 0; i < d->pieces.count; i++) {
-        d->is_open[i] |= d->marks[i];
+    // There may be as many voids as voxels: none of them looks at all pieces.
+    for (size_t i = 0; i < d->marks.count; i++) {
+        d->is_open[d->marks.list[i]] = 1;
+        d->marks.is_marked[d->marks.list[i]] = 0;
     }
+    d->marks.count = 0;
     return SF_OK;
 }
 

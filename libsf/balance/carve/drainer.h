@@ -15,7 +15,8 @@ typedef struct sfi_drainer {
     sf_task *task;
     sfi_ground_plan plan;
     sfi_pieces pieces;
-    uint8_t *is_open, *marks; // of each piece
+    uint8_t *is_open; // of each piece
+    sfi_marks marks;  // what the holes of one void open
     double *levels;
     sfi_closed_void *voids;
     size_t void_count;

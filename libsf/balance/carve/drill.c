@@ -6,7 +6,7 @@
 // v be a voxel that stays, above a disk D that was taken out of the layer below. If the disk of v's
 // own layer is D moved by o, v does not lie in it, and so v - o does not lie in D: it is there, and
 // since the element is symmetric it carries v. Where the matter around is not solid this may fail;
-// so every hole is followed by a check of the whole part (drain.c).
+// so every hole is followed by a check of the whole part (drainer.c).
 //
 // Slack has no element that every step may use: there the offset is what the angle has added up to.
 
@@ -195,12 +195,13 @@ void sfi_drill_remove(const sfi_ground_plan *plan, sfi_drill begin, sf_grid *gri
     (void)visit_shaft(plan, begin, remove_voxel, grid);
 }
 
-static void mark_at(const sfi_ground_plan *plan, int64_t x, int64_t y, int64_t k, uint8_t *marks)
+static void mark_at(const sfi_ground_plan *plan, int64_t x, int64_t y, int64_t k, sfi_marks *marks)
 {
     if (is_inside(&plan->lattice, x, y, k)) {
         uint32_t piece = sfi_pieces_at(plan->pieces, (uint32_t)x, (uint32_t)y, (uint32_t)k);
-        if (piece != UINT32_MAX) {
-            marks[piece] = 1;
+        if (piece != UINT32_MAX && !marks->is_marked[piece]) {
+            marks->is_marked[piece] = 1;
+            marks->list[marks->count++] = piece;
         }
     }
 }
@@ -217,13 +218,13 @@ static void mark_voxel(const sfi_ground_plan *plan, uint32_t x, uint32_t y, uint
     }
 }
 
-void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, uint8_t *marks)
+void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, sfi_marks *marks)
 {
     (void)visit_shaft(plan, begin, mark_voxel, marks);
 }
 
 void sfi_drill_mark_around(const sfi_ground_plan *plan, const sf_grid *grid, sf_box box,
-                           uint8_t *marks)
+                           sfi_marks *marks)
 {
     for (uint32_t k = box.z0; k < box.z1; k++) {
         for (uint32_t y = box.y0; y < box.y1; y++) {

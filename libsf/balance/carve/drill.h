@@ -54,11 +54,18 @@ sfi_bore sfi_drill_measure(const sfi_ground_plan *plan, sfi_drill begin);
 // Take it out of a grid, which is the part as it is or a copy of it.
 void sfi_drill_remove(const sfi_ground_plan *plan, sfi_drill begin, sf_grid *grid);
 
-// Mark the voids that it opens, 1 in the place of each.
-void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, uint8_t *marks);
+// Pieces that are marked, each once in the list, which has room for all.
+typedef struct sfi_marks {
+    uint8_t *is_marked; // of each piece
+    uint32_t *list;
+    size_t count;
+} sfi_marks;
+
+// Mark the voids that it opens.
+void sfi_drill_mark(const sfi_ground_plan *plan, sfi_drill begin, sfi_marks *marks);
 
 // The same for voxels of a grid that are taken out as well.
 void sfi_drill_mark_around(const sfi_ground_plan *plan, const sf_grid *grid, sf_box box,
-                           uint8_t *marks);
+                           sfi_marks *marks);
 
 #endif

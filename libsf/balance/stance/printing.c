@@ -2,7 +2,7 @@
 // Printing: how far from toppling a part is, after each of its layers.
 //
 // The pieces of what is printed so far, with their moments and what they stand on, come from
-// pieces.c. A piece's margin changes only where a layer adds to it, so each layer looks at the
+// printed.c. A piece's margin changes only where a layer adds to it, so each layer looks at the
 // pieces that it touches, and takes the least over all that stand: those that are done still stand
 // there. With the centre of mass at height h over the bed, at distance d inside of an edge of the
 // hull of what it stands on, the margin is the least atan(d / h), as in tip.c.

@@ -29,9 +29,8 @@
 // the pose, but by no more than half the tolerance: phi becomes phi + lean, which keeps what was
 // said above (x (x + g) / (1 - x g) is convex and grows). That it does not shrink along with the
 // tolerance makes what is safe for a smaller tolerance safe for a larger. Where c may lie below v,
-// the convex term is left out instead: d . (c
-// - v)_xy >= 0 is asked for as well. Corners that touch within the inner circle are spared that: c
-// is asked to lie above all of them.
+// the convex term is left out instead: d . (c - v)_xy >= 0 is asked for as well. Corners that touch
+// within the inner circle are spared that: c is asked to lie above all of them.
 //
 // The conditions hold together for every c straight above the contact and close to it: low enough
 // is always good. They are sufficient; a body may come back by a detour that they forbid.
