@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tangent and its inverse, out of the four operations that IEEE 754 rounds correctly.
+// Tangent, its inverse and the exponential, out of the four operations that IEEE 754 rounds correctly.
 //
 // Every C library rounds tan() and atan() its own way, and a rule made from an angle must be the
-// same integers on every machine. So these two are built from + - * / alone, in a fixed order; the
+// same integers on every machine. So these are built from + - * / alone, in a fixed order; the
 // build forbids contraction into fused multiply-adds. They are made for accuracy, not for speed: a
 // sum of solid angles asks for one arc tangent at its end (mesh/angle.c), a rule for one tangent.
 //
@@ -34,6 +34,10 @@
 #define ATAN_HALF_LOW 0x1.a2b7f222f65e2p-56
 #define ATAN_TWO_HIGH 0x1.1b6e192ebbe44p+0
 #define ATAN_TWO_LOW 0x1.b1b466a88828ep-54
+// The upper part of log 2 ends in 21 zeros, so that its product with an exponent is exact.
+#define LOG_TWO_HIGH 0x1.62e42feep-1
+#define LOG_TWO_LOW 0x1.a39ef35793c76p-33
+#define LOG_TWO_INVERSE 0x1.71547652b82fep+0
 
 // tan(x) = x / (1 - xx / (3 - xx / (5 - ...))). Returns the 3 - ... of that, so that the caller can
 // choose how to round what is left. For xx <= (pi/4)^2 what is cut off lies below 2^-60.
@@ -111,4 +115,26 @@ double sfi_atan(double x)
     }
     double result = high + (t + (atan_rest(t) + low));
     return x < 0.0 ? -result : result;
+}
+
+// e^x = 2^k e^r with |r| <= log(2) / 2, where the series, summed from its small end, is cut off
+// below 2^-58. The constants and the order are fixed, so the bytes are.
+double sfi_exp(double x)
+{
+    if (!(x == x)) {
+        return x;
+    }
+    if (x > 710.0) {
+        return HUGE_VAL;
+    }
+    if (x < -746.0) {
+        return 0.0;
+    }
+    double k = floor(x * LOG_TWO_INVERSE + 0.5);
+    double r = (x - k * LOG_TWO_HIGH) - k * LOG_TWO_LOW;
+    double sum = 1.0;
+    for (int n = 14; n >= 2; n--) {
+        sum = 1.0 + r * sum / n;
+    }
+    return ldexp(1.0 + r * sum, (int)k);
 }

@@ -10,4 +10,8 @@ double sfi_tan(double x);
 // Inverse tangent, in [-pi/2, pi/2]; NaN for NaN. Within 2 ulp.
 double sfi_atan(double x);
 
+// e to the power of x; infinite or 0 where that leaves the doubles, NaN for NaN. Within 2 ulp where
+// the result is a normal number.
+double sfi_exp(double x);
+
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Why: a rule made from an angle must be the same integers on every machine (promise P4), so the
-// library has its own tangent and inverse tangent. Held here against the C library's, whose error
+// library has its own tangent, inverse tangent and exponential. Held here against the C library's, whose error
 // is below one ulp, over the whole domain, and against values that must come out exactly.
 
 #include "base/math.h"
@@ -41,6 +41,28 @@ static void inverse_tangent_is_within_two_ulp(void)
     }
     printf("# atan: at most %.2f units in the last place from the C library's\n", worst);
     CHECK(worst <= 2.0);
+}
+
+static void exponential_is_within_two_ulp(void)
+{
+    double worst = 0.0;
+    for (int i = 0; i < 200000; i++) {
+        double x = test_random_unit() * 1400.0 - 700.0;
+        double error = ulps(sfi_exp(x), exp(x));
+        worst = error > worst ? error : worst;
+    }
+    for (int i = 0; i < 200000; i++) {
+        double x = ldexp(test_random_unit() - 0.5, -(int)test_random_below(30));
+        double error = ulps(sfi_exp(x), exp(x));
+        worst = error > worst ? error : worst;
+    }
+    printf("# exp: at most %.2f units in the last place from the C library's\n", worst);
+    CHECK(worst <= 2.0);
+    double nan = sfi_tan(2.0);
+    CHECK(sfi_exp(0.0) == 1.0 && sfi_exp(-0.0) == 1.0);
+    CHECK(sfi_exp(HUGE_VAL) == HUGE_VAL && sfi_exp(-HUGE_VAL) == 0.0 && sfi_exp(800.0) == HUGE_VAL);
+    CHECK(sfi_exp(-745.0) == exp(-745.0) && sfi_exp(-800.0) == 0.0);
+    CHECK(sfi_exp(nan) != sfi_exp(nan));
 }
 
 static void odd_and_known(void)
@@ -87,6 +109,7 @@ int main(void)
 {
     TEST(tangent_is_within_two_ulp);
     TEST(inverse_tangent_is_within_two_ulp);
+    TEST(exponential_is_within_two_ulp);
     TEST(odd_and_known);
     TEST(outside_the_domain_is_no_number);
     TEST(bytes_are_pinned);
