@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tangent, its inverse and the exponential, out of the four operations that IEEE 754 rounds correctly.
+// Tangent, its inverse and the exponential, out of the four operations that IEEE 754 rounds
+// correctly.
 //
 // Every C library rounds tan() and atan() its own way, and a rule made from an angle must be the
 // same integers on every machine. So these are built from + - * / alone, in a fixed order; the

@@ -82,6 +82,13 @@ typedef struct sfi_kernels {
     void (*path_row)(uint16_t *keys, uint64_t *codes, const uint16_t *const below[3],
                      sfi_path_shape shape, const uint64_t *solid, const uint64_t *shut,
                      size_t count);
+
+    // Bit x of bits = whether tones[x] >= levels[x mod 64 * turn], for 64 * count voxels; turn is
+    // at least 1. bits overlaps neither array, which need the alignment of their elements alone.
+    void (*at_least_8)(uint64_t *bits, const uint8_t *tones, const uint8_t *levels, size_t turn,
+                       size_t count);
+    void (*at_least_32)(uint64_t *bits, const int32_t *tones, const int32_t *levels, size_t turn,
+                        size_t count);
 } sfi_kernels;
 
 // The table in use: the best that the processor has and sf_isa_limit() allows.

@@ -31,6 +31,30 @@ static inline void put_nibbles(unsigned char *to, uint64x2_t v)
     vst1_lane_u32((uint32_t *)(void *)to, vreinterpret_u32_u8(bytes), 0);
 }
 
+// Each of sixteen comparisons keeps one bit of its byte; a sum over eight lanes is a byte of bits.
+static inline uint64_t bytes_neon(const uint8_t *p, const uint8_t *q)
+{
+    static const uint8_t bits[16] = {1, 2, 4, 8, 16, 32, 64, 128, 1, 2, 4, 8, 16, 32, 64, 128};
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i += 16) {
+        uint8x16_t kept = vandq_u8(vcgeq_u8(vld1q_u8(p + i), vld1q_u8(q + i)), vld1q_u8(bits));
+        word |= (uint64_t)vaddv_u8(vget_low_u8(kept)) << i;
+        word |= (uint64_t)vaddv_u8(vget_high_u8(kept)) << (i + 8);
+    }
+    return word;
+}
+
+static inline uint64_t numbers_neon(const int32_t *p, const int32_t *q)
+{
+    static const uint32_t bits[4] = {1, 2, 4, 8};
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i += 4) {
+        uint32x4_t kept = vandq_u32(vcgeq_s32(vld1q_s32(p + i), vld1q_s32(q + i)), vld1q_u32(bits));
+        word |= (uint64_t)vaddvq_u32(kept) << i;
+    }
+    return word;
+}
+
 #define SF_FN(name) name##_neon
 #define SF_NAME "neon"
 #define SF_TARGET
@@ -60,6 +84,8 @@ static inline void put_nibbles(unsigned char *to, uint64x2_t v)
 #define SF_EACH16(n) vreinterpretq_u64_u16(vdupq_n_u16((uint16_t)(n)))
 #define SF_SPREAD16(w) spread_eight(w)
 #define SF_NIBBLES(p, x, v) put_nibbles((unsigned char *)(p) + (x) / 2, v)
+#define SF_AT_LEAST8(p, q) bytes_neon(p, q)
+#define SF_AT_LEAST32(p, q) numbers_neon(p, q)
 #define SF_POPCOUNT(w) ((uint64_t)vaddv_u8(vcnt_u8(vcreate_u8(w))))
 #define SF_NARROWER sfi_kernels_word()
 #include "simd/template.h"

@@ -183,6 +183,24 @@ static void path_row(uint16_t *keys, uint64_t *codes, const uint16_t *const belo
     }
 }
 
+static void at_least_8(uint64_t *bits, const uint8_t *tones, const uint8_t *levels, size_t turn,
+                       size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        uint64_t before = x % 64 == 0 ? 0 : bits[x / 64];
+        bits[x / 64] = before | (uint64_t)(tones[x] >= levels[x % (64 * turn)]) << x % 64;
+    }
+}
+
+static void at_least_32(uint64_t *bits, const int32_t *tones, const int32_t *levels, size_t turn,
+                        size_t count)
+{
+    for (size_t x = 0; x < 64 * count; x++) {
+        uint64_t before = x % 64 == 0 ? 0 : bits[x / 64];
+        bits[x / 64] = before | (uint64_t)(tones[x] >= levels[x % (64 * turn)]) << x % 64;
+    }
+}
+
 static const sfi_kernels table = {
     .name = "reference",
     .popcount = popcount,
@@ -198,6 +216,8 @@ static const sfi_kernels table = {
     .trim_box3 = trim_box3,
     .trim_plus3 = trim_plus3,
     .path_row = path_row,
+    .at_least_8 = at_least_8,
+    .at_least_32 = at_least_32,
 };
 
 const sfi_kernels *sfi_kernels_reference(void)

@@ -23,6 +23,8 @@
 //   SF_SPREAD16(w)    all ones in lane i of 16 bits where bit i of word w is set
 //   SF_NIBBLES(p, x, v)   the low four bits of each lane of 16 bits to nibbles x, x + 1, ... of
 //                     words p, lowest first; x is a multiple of the lanes
+//   SF_AT_LEAST8(p, q)    word whose bit i says whether p[i] >= q[i], of 64 bytes each
+//   SF_AT_LEAST32(p, q)   the same of 64 signed 32-bit numbers each
 //
 // Neighbouring words come from registers by SF_PREV and SF_NEXT rather than by unaligned loads: a
 // row of the slice below is loaded once for each of the three rows that it holds up, not nine
@@ -385,6 +387,22 @@ SF_TARGET static void SF_FN(path_row)(uint16_t *keys, uint64_t *codes,
     }
 }
 
+// Levels come again after 64 * turn voxels, so they stay in the nearest cache, and for the shortest
+// period in registers: what is read once is the tones.
+#define SF_COMPARE(name, type, word_of)                                                            \
+    SF_TARGET static void SF_FN(name)(uint64_t * bits, const type *tones, const type *levels,      \
+                                      size_t turn, size_t count)                                   \
+    {                                                                                              \
+        size_t at = 0;                                                                             \
+        for (size_t i = 0; i < count; i++) {                                                       \
+            bits[i] = word_of(tones + 64 * i, levels + 64 * at);                                   \
+            at = at + 1 < turn ? at + 1 : 0;                                                       \
+        }                                                                                          \
+    }
+
+SF_COMPARE(at_least_8, uint8_t, SF_AT_LEAST8)
+SF_COMPARE(at_least_32, int32_t, SF_AT_LEAST32)
+
 static const sfi_kernels SF_FN(table) = {
     .name = SF_NAME,
     .popcount = SF_FN(popcount),
@@ -400,6 +418,8 @@ static const sfi_kernels SF_FN(table) = {
     .trim_box3 = SF_FN(trim_box3),
     .trim_plus3 = SF_FN(trim_plus3),
     .path_row = SF_FN(path_row),
+    .at_least_8 = SF_FN(at_least_8),
+    .at_least_32 = SF_FN(at_least_32),
 };
 
 #undef SF_INLINE
@@ -415,6 +435,7 @@ static const sfi_kernels SF_FN(table) = {
 #undef SF_MID_WORD
 #undef SF_MID_OF
 #undef SF_ENDS_OF
+#undef SF_COMPARE
 #undef SF_FN
 #undef SF_NAME
 #undef SF_TARGET
@@ -443,4 +464,6 @@ static const sfi_kernels SF_FN(table) = {
 #undef SF_NIBBLES
 #undef SF_PREV
 #undef SF_NEXT
+#undef SF_AT_LEAST8
+#undef SF_AT_LEAST32
 #undef SF_POPCOUNT

@@ -60,6 +60,24 @@ static void put_nibbles(uint64_t *words, size_t x, uint64_t v)
     words[x / 16] = (words[x / 16] & ~(UINT64_C(0xffff) << place)) | four << place;
 }
 
+static uint64_t bytes_at_least(const uint8_t *p, const uint8_t *q)
+{
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i++) {
+        word |= (uint64_t)(p[i] >= q[i]) << i;
+    }
+    return word;
+}
+
+static uint64_t numbers_at_least(const int32_t *p, const int32_t *q)
+{
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i++) {
+        word |= (uint64_t)(p[i] >= q[i]) << i;
+    }
+    return word;
+}
+
 #define SF_FN(name) name##_of_words
 #define SF_NAME "word"
 #define SF_TARGET
@@ -87,6 +105,8 @@ static void put_nibbles(uint64_t *words, size_t x, uint64_t v)
 #define SF_EACH16(n) ((uint64_t)(n)*UINT64_C(0x0001000100010001))
 #define SF_SPREAD16(w) spread_of_four(w)
 #define SF_NIBBLES(p, x, v) put_nibbles(p, x, v)
+#define SF_AT_LEAST8(p, q) bytes_at_least(p, q)
+#define SF_AT_LEAST32(p, q) numbers_at_least(p, q)
 #define SF_POPCOUNT(w) popcount_of(w)
 #define SF_NARROWER sfi_kernels_word() // never asked: a word is a vector here
 #include "simd/template.h"

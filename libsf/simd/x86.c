@@ -52,6 +52,59 @@ __attribute__((target("avx2"))) static inline void nibbles_16(void *to, __m256i 
     memcpy(to, four, sizeof four);
 }
 
+// a >= b is where the greater of both is a, or where b > a does not hold.
+__attribute__((target("sse2"))) static inline uint64_t bytes_sse2(const uint8_t *p,
+                                                                  const uint8_t *q)
+{
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i += 16) {
+        __m128i a = _mm_loadu_si128((const __m128i *)(const void *)(p + i));
+        __m128i b = _mm_loadu_si128((const __m128i *)(const void *)(q + i));
+        int mask = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(a, b), a));
+        word |= (uint64_t)(uint32_t)mask << i;
+    }
+    return word;
+}
+
+__attribute__((target("sse2"))) static inline uint64_t numbers_sse2(const int32_t *p,
+                                                                    const int32_t *q)
+{
+    uint64_t less = 0;
+    for (unsigned i = 0; i < 64; i += 4) {
+        __m128i a = _mm_loadu_si128((const __m128i *)(const void *)(p + i));
+        __m128i b = _mm_loadu_si128((const __m128i *)(const void *)(q + i));
+        int mask = _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpgt_epi32(b, a)));
+        less |= (uint64_t)(uint32_t)mask << i;
+    }
+    return ~less;
+}
+
+__attribute__((target("avx2"))) static inline uint64_t bytes_avx2(const uint8_t *p,
+                                                                  const uint8_t *q)
+{
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i += 32) {
+        __m256i a = _mm256_loadu_si256((const __m256i *)(const void *)(p + i));
+        __m256i b = _mm256_loadu_si256((const __m256i *)(const void *)(q + i));
+        int mask = _mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_max_epu8(a, b), a));
+        word |= (uint64_t)(uint32_t)mask << i;
+    }
+    return word;
+}
+
+__attribute__((target("avx2"))) static inline uint64_t numbers_avx2(const int32_t *p,
+                                                                    const int32_t *q)
+{
+    uint64_t less = 0;
+    for (unsigned i = 0; i < 64; i += 8) {
+        __m256i a = _mm256_loadu_si256((const __m256i *)(const void *)(p + i));
+        __m256i b = _mm256_loadu_si256((const __m256i *)(const void *)(q + i));
+        int mask = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(b, a)));
+        less |= (uint64_t)(uint32_t)mask << i;
+    }
+    return ~less;
+}
+
 #define SF_FN(name) name##_sse2
 #define SF_NAME "sse2"
 #define SF_TARGET __attribute__((target("sse2")))
@@ -79,6 +132,8 @@ __attribute__((target("avx2"))) static inline void nibbles_16(void *to, __m256i 
 #define SF_EACH16(n) _mm_set1_epi16((short)(n))
 #define SF_SPREAD16(w) spread_8(w)
 #define SF_NIBBLES(p, x, v) nibbles_8((unsigned char *)(p) + (x) / 2, v)
+#define SF_AT_LEAST8(p, q) bytes_sse2(p, q)
+#define SF_AT_LEAST32(p, q) numbers_sse2(p, q)
 #define SF_POPCOUNT(w) popcount_of(w)
 #define SF_NARROWER sfi_kernels_word()
 #include "simd/template.h"
@@ -110,12 +165,33 @@ __attribute__((target("avx2"))) static inline void nibbles_16(void *to, __m256i 
 #define SF_EACH16(n) _mm256_set1_epi16((short)(n))
 #define SF_SPREAD16(w) spread_16(w)
 #define SF_NIBBLES(p, x, v) nibbles_16((unsigned char *)(p) + (x) / 2, v)
+#define SF_AT_LEAST8(p, q) bytes_avx2(p, q)
+#define SF_AT_LEAST32(p, q) numbers_avx2(p, q)
 #define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
 #define SF_NARROWER (&table_sse2)
 #include "simd/template.h"
 
 // Windows compilers do not keep the stack aligned for 64-byte spills.
 #if defined(__x86_64__) && !defined(_WIN32)
+
+__attribute__((target("avx512f,avx512bw"))) static inline uint64_t bytes_avx512(const uint8_t *p,
+                                                                                const uint8_t *q)
+{
+    return _mm512_cmpge_epu8_mask(_mm512_loadu_si512((const void *)p),
+                                  _mm512_loadu_si512((const void *)q));
+}
+
+__attribute__((target("avx512f,avx512bw"))) static inline uint64_t numbers_avx512(const int32_t *p,
+                                                                                  const int32_t *q)
+{
+    uint64_t word = 0;
+    for (unsigned i = 0; i < 64; i += 16) {
+        __mmask16 mask = _mm512_cmpge_epi32_mask(_mm512_loadu_si512((const void *)(p + i)),
+                                                 _mm512_loadu_si512((const void *)(q + i)));
+        word |= (uint64_t)mask << i;
+    }
+    return word;
+}
 
 #define SF_FN(name) name##_avx512
 #define SF_NAME "avx512"
@@ -146,6 +222,8 @@ __attribute__((target("avx2"))) static inline void nibbles_16(void *to, __m256i 
 #define SF_NIBBLES(p, x, v)                                                                        \
     _mm_storeu_si128((__m128i *)(void *)((unsigned char *)(p) + (x) / 2),                          \
                      _mm512_cvtepi32_epi8(_mm512_or_si512(v, _mm512_srli_epi32(v, 12))))
+#define SF_AT_LEAST8(p, q) bytes_avx512(p, q)
+#define SF_AT_LEAST32(p, q) numbers_avx512(p, q)
 #define SF_POPCOUNT(w) ((uint64_t)__builtin_popcountll(w))
 #define SF_NARROWER (&table_avx2)
 #include "simd/template.h"

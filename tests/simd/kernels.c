@@ -175,6 +175,35 @@ static void path_rows(const sfi_kernels *k, size_t count, int at_end)
     }
 }
 
+// Tones against levels that differ from them by one either way, or by far.
+static void comparing(const sfi_kernels *k, size_t count, int at_end)
+{
+    const sfi_kernels *r = sfi_kernels_reference();
+    size_t turn = 1 + test_random_below(4);
+    int32_t *tones = (int32_t *)(void *)guarded_words(area[0], 32 * count, at_end);
+    int32_t *levels = (int32_t *)(void *)guarded_words(area[1], 32 * turn, at_end);
+    uint8_t *small = (uint8_t *)(void *)guarded_words(area[4], 8 * count, at_end);
+    uint8_t *low = (uint8_t *)(void *)guarded_words(area[5], 8 * turn, at_end);
+    uint64_t *got = guarded_words(area[2], count, at_end),
+             *want = guarded_words(area[3], count, at_end);
+    static const int32_t bases[5] = {0, 127, 255, INT32_MAX - 1, INT32_MIN + 1};
+    int32_t base = bases[test_random_below(5)];
+    for (size_t i = 0; i < 64 * turn; i++) {
+        levels[i] = i % 7 == 0 ? (int32_t)test_random() : base;
+        low[i] = (uint8_t)(i % 7 == 0 ? test_random() : (uint64_t)(uint32_t)base);
+    }
+    for (size_t i = 0; i < 64 * count; i++) {
+        tones[i] = i % 5 == 0 ? (int32_t)test_random() : base - 1 + (int32_t)test_random_below(3);
+        small[i] = (uint8_t)(i % 5 == 0 ? test_random() : (uint32_t)base + test_random_below(3));
+    }
+    k->at_least_8(got, small, low, turn, count);
+    r->at_least_8(want, small, low, turn, count);
+    CHECK(memcmp(got, want, 8 * count) == 0);
+    k->at_least_32(got, tones, levels, turn, count);
+    r->at_least_32(want, tones, levels, turn, count);
+    CHECK(memcmp(got, want, 8 * count) == 0);
+}
+
 static void table_equals_the_reference(void)
 {
     const sfi_kernels *kernels = sfi_kernels_for(isa);
@@ -194,6 +223,8 @@ static void table_equals_the_reference(void)
         rectangles(kernels, count, 0);
         path_rows(kernels, count, 1);
         path_rows(kernels, count, 0);
+        comparing(kernels, count, 1);
+        comparing(kernels, count, 0);
     }
     trimming(kernels, 4095, 1);
 }

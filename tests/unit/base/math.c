@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Why: a rule made from an angle must be the same integers on every machine (promise P4), so the
-// library has its own tangent, inverse tangent and exponential. Held here against the C library's, whose error
-// is below one ulp, over the whole domain, and against values that must come out exactly.
+// library has its own tangent, inverse tangent and exponential. Held here against the C library's,
+// whose error is below one ulp, over the whole domain, and against values that must come out
+// exactly.
 
 #include "base/math.h"
 #include "test.h"
