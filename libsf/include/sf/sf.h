@@ -13,6 +13,7 @@
 #include <sf/density.h>
 #include <sf/finding.h>
 #include <sf/grow.h>
+#include <sf/halftone.h>
 #include <sf/handles.h>
 #include <sf/mesh.h>
 #include <sf/orient.h>
