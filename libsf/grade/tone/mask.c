@@ -40,7 +40,7 @@ static sf_status check_period(uint32_t nx, uint32_t ny, uint32_t nz)
 
 static sf_status check_options(const sf_mask_options *o)
 {
-    if (o->struct_size != sizeof *o || (o->kind != SF_MASK_SLICE && o->kind != SF_MASK_ISOTROPIC) ||
+    if (o->struct_size < sizeof *o || (o->kind != SF_MASK_SLICE && o->kind != SF_MASK_ISOTROPIC) ||
         !(o->spread >= 0.5 && o->spread <= 4.0)) {
         return SF_ERR_ARGUMENT;
     }
