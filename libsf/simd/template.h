@@ -395,6 +395,7 @@ SF_TARGET static void SF_FN(path_row)(uint16_t *keys, uint64_t *codes,
     {                                                                                              \
         size_t at = 0;                                                                             \
         for (size_t i = 0; i < count; i++) {                                                       \
+            SF_AHEAD(tones + 64 * i);                                                              \
             bits[i] = word_of(tones + 64 * i, levels + 64 * at);                                   \
             at = at + 1 < turn ? at + 1 : 0;                                                       \
         }                                                                                          \

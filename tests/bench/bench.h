@@ -43,5 +43,6 @@ void bench_grow(void);
 void bench_balance(void);
 void bench_carve(void);
 void bench_handles(void);
+void bench_halftone(void);
 
 #endif

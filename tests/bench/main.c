@@ -143,6 +143,7 @@ int main(int argc, char **argv)
     bench_balance();
     bench_carve();
     bench_handles();
+    bench_halftone();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {

@@ -135,15 +135,18 @@ typedef struct job {
     const sf_tones *tones;
     const sf_materials *materials;
     const sfi_kernels *kernels;
+    size_t layer;    // where the levels of the layer begin,
+    uint32_t across; // of its rows where the rectangle does,
+    uint32_t down;   // and in which row
     int bad[SFI_BANDS];
     uint64_t counts[SFI_BANDS][SF_MATERIAL_MAX];
 } job;
 
 // Where the levels of a row begin.
-static size_t first_level(const sf_halftone *h, const sf_tones *t, uint32_t y)
+static size_t first_level(const job *work, uint32_t y)
 {
-    size_t z = t->layer % h->n[2], row = (t->y0 % h->n[1] + y % h->n[1]) % h->n[1];
-    return (z * h->n[1] + row) * h->row + t->x0 % h->n[0];
+    return work->layer + (work->down + y) % work->halftone->n[1] * work->halftone->row +
+           work->across;
 }
 
 // Bytes against levels, of which those past the end of a row are nobody's to read.
@@ -167,7 +170,7 @@ static void compare_stretch(const job *work, uint32_t x, uint32_t y, uint32_t co
 {
     const sf_halftone *h = work->halftone;
     const sf_tones *t = work->tones;
-    size_t first = first_level(h, t, y), words = sfi_row_words(count);
+    size_t first = first_level(work, y), words = sfi_row_words(count);
     double sums[SFI_STRETCH] = {0};
     int32_t thresholds[SFI_STRETCH] = {0};
     for (uint32_t j = 0; j + 1 < h->material_count; j++) {
@@ -183,7 +186,7 @@ static void compare_stretch_of_bytes(const job *work, uint32_t x, uint32_t y, ui
                                      uint64_t below[][SFI_STRETCH_WORDS])
 {
     const sf_halftone *h = work->halftone;
-    size_t first = first_level(h, work->tones, y);
+    size_t first = first_level(work, y);
     uint8_t sums[SFI_STRETCH] = {0};
     for (uint32_t j = 0; j + 1 < h->material_count; j++) {
         sfi_tones_add_bytes(work->tones, j, x, y, count, sums);
@@ -232,7 +235,7 @@ static void halftone_row_of_bytes(const job *work, uint32_t y, uint64_t *counts)
     const uint8_t *tones = (const uint8_t *)t->planes[0].values + (size_t)y * t->planes[0].stride;
     uint64_t *first = sfi_slice_row(slices[0], y);
     size_t words = sfi_row_words(t->width);
-    compare_bytes(work->kernels, first, tones, h->bytes + first_level(h, t, y), h->turn, t->width);
+    compare_bytes(work->kernels, first, tones, h->bytes + first_level(work, y), h->turn, t->width);
     if (t->solid.words != NULL) {
         work->kernels->and_words(first, first, sfi_slice_row(t->solid, y), words);
     }
@@ -290,8 +293,13 @@ sf_status sf_halftone_slice(const sf_halftone *halftone, const sf_tones *tones,
     if (sf_task_is_cancelled(task)) {
         return SF_ERR_CANCELLED;
     }
-    job work = {
-        .halftone = halftone, .tones = tones, .materials = materials, .kernels = sfi_kernels_get()};
+    job work = {.halftone = halftone,
+                .tones = tones,
+                .materials = materials,
+                .kernels = sfi_kernels_get(),
+                .layer = tones->layer % halftone->n[2] * halftone->n[1] * halftone->row,
+                .across = tones->x0 % halftone->n[0],
+                .down = tones->y0 % halftone->n[1]};
     if (tones->type != SF_TONE_U8 || halftone->material_count > 2) {
         sfi_task_for(task, SFI_BANDS, judge_band, &work);
         for (size_t band = 0; band < SFI_BANDS; band++) {
