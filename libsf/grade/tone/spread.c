@@ -9,6 +9,9 @@
 //
 // The deviation s is `spread` times the geometric mean of the pitches (of x and y for slices), so
 // that on square voxels it is a number of voxels, and on others equally far in mm to all sides.
+// Where layers are thin, columns would have a say over many of them, at the expense of the slices:
+// along a column it is at most 4/3 `spread` layers. (At 0.0423 x 0.0846 x 0.027 mm and a tone of
+// 0.1 that lowers what is left below 0.125 cycles a voxel from 0.085 of white noise to 0.07.)
 //
 // Weights are rounded to 2^-20, and those below 2^-10 are left out. Sums of integers are exact in
 // any order, so that a field that is updated a million times is what a fresh sum would be.
@@ -26,6 +29,7 @@
 
 #define UNIT 1048576.0
 #define LEAST 1024u
+#define COLUMN (4.0 / 3.0)
 
 // Newton's steps from above fall until they are as close as doubles get.
 static double cube_root(double v)
@@ -40,23 +44,30 @@ static double cube_root(double v)
     }
 }
 
-static double deviation_mm(const sf_mask_options *o)
+// The deviation along x, y and z, in voxels.
+static void deviations(const sf_mask_options *o, double voxels[3])
 {
     const double *p = o->pitch_mm;
     // Taken relative to x, so that products neither overflow nor vanish.
     double y = p[1] / p[0], z = p[2] / p[0];
-    return o->spread * p[0] * (o->kind == SF_MASK_SLICE ? sqrt(y) : cube_root(y * z));
+    double s = o->spread * (o->kind == SF_MASK_SLICE ? sqrt(y) : cube_root(y * z));
+    voxels[0] = s;
+    voxels[1] = s / y;
+    voxels[2] = s / z;
+    if (o->kind == SF_MASK_SLICE && voxels[2] > COLUMN * o->spread) {
+        voxels[2] = COLUMN * o->spread;
+    }
 }
 
 // The weight of an offset of so many voxels along x, y and z.
-static uint32_t weight_of(const sf_mask_options *o, double deviation, const int64_t offset[3])
+static uint32_t weight_of(const sf_mask_options *o, const double voxels[3], const int64_t offset[3])
 {
     double sum = 0.0;
     if (o->kind == SF_MASK_SLICE && offset[2] != 0 && (offset[0] != 0 || offset[1] != 0)) {
         return 0;
     }
     for (int n = 0; n < 3; n++) {
-        double t = (double)offset[n] * o->pitch_mm[n] / deviation;
+        double t = (double)offset[n] / voxels[n];
         sum += t * t;
     }
     uint32_t weight = (uint32_t)floor(UNIT * sfi_exp(-0.5 * sum) + 0.5);
@@ -72,17 +83,18 @@ static uint32_t around(int64_t offset, uint32_t period)
 // Count the pushes and, where there is a place for them, write them.
 static size_t list(const sf_mask_options *o, sfi_push *pushes)
 {
-    double deviation = deviation_mm(o);
+    double voxels[3];
     int64_t reach[3], d[3];
     size_t count = 0;
+    deviations(o, voxels);
     for (int n = 0; n < 3; n++) {
         // exp(-t^2 / 2) < 2^-10 beyond t = 3.73.
-        reach[n] = (int64_t)floor(3.75 * deviation / o->pitch_mm[n]) + 1;
+        reach[n] = (int64_t)floor(3.75 * voxels[n]) + 1;
     }
     for (d[2] = -reach[2]; d[2] <= reach[2]; d[2]++) {
         for (d[1] = -reach[1]; d[1] <= reach[1]; d[1]++) {
             for (d[0] = -reach[0]; d[0] <= reach[0]; d[0]++) {
-                uint32_t weight = weight_of(o, deviation, d);
+                uint32_t weight = weight_of(o, voxels, d);
                 if (weight > 0 && pushes != NULL) {
                     sfi_push push = {around(d[0], o->nx), around(d[1], o->ny), around(d[2], o->nz),
                                      weight};
