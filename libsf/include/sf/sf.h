@@ -16,6 +16,7 @@
 #include <sf/halftone.h>
 #include <sf/handles.h>
 #include <sf/mesh.h>
+#include <sf/mixture.h>
 #include <sf/orient.h>
 #include <sf/preserve.h>
 #include <sf/printing.h>
