@@ -59,6 +59,7 @@ void sfi_tournament_destroy(sfi_tournament *t, const sf_allocator *allocator)
     sfi_free_array(allocator, t->keys, t->count, sizeof *t->keys);
     winners_destroy(&t->blocks, allocator);
     winners_destroy(&t->groups, allocator);
+    memset(t, 0, sizeof *t); // whose owner may not know that it was never made
 }
 
 // What stands in a place of one level when a key below it has become another.
