@@ -62,12 +62,14 @@ FOLD(_avx2, __attribute__((target("avx2"))))
 #define HAS_AVX2 0
 #endif
 
+typedef void (*fold)(uint64_t *to, const uint64_t *from, size_t count, size_t each);
+
 static void read_and_write(void *user)
 {
     halftone_work *w = user;
+    fold pass = HAS_AVX2 ? fold_avx2 : fold_plain;
     size_t count = (size_t)w->side * w->side / 64 * w->side, each = w->size / 8 / count;
-    (HAS_AVX2 ? fold_avx2 : fold_plain)(w->words, (const uint64_t *)(const void *)w->tones, count,
-                                        each);
+    pass(w->words, (const uint64_t *)(const void *)w->tones, count, each);
 }
 
 static void fill(halftone_work *w)

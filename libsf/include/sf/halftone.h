@@ -97,7 +97,9 @@ SF_API SF_CHECKED sf_status sf_mask_create(const sf_mask_options *options,
 /**
  * Make a mask from ranks that were kept, in (layer, y, x) order.
  *
- * @param nx,ny,nz   period, as in sf_mask_options
+ * @param nx         period along x, as in sf_mask_options
+ * @param ny         along y
+ * @param nz         along z
  * @param ranks      nx * ny * nz numbers: each of 0 .. nx * ny * nz - 1 once
  * @param allocator  NULL for the C library's
  * @param mask       receives the mask
@@ -255,7 +257,8 @@ typedef struct sf_diffusion {
  * the next voxel in the row, the two behind it in the next row, and the one above, more to those
  * that are nearer in mm. Rows run to and fro. Shares of voxels that are empty or outside go up.
  *
- * @param width,height    1..SF_EXTENT_MAX
+ * @param width           1..SF_EXTENT_MAX
+ * @param height          1..SF_EXTENT_MAX
  * @param material_count  2..SF_MATERIAL_MAX
  * @param pitch_mm        of a voxel: x, y, z, above 0; no two differ by a factor above 64
  * @param allocator       4 bytes for each voxel of a slice and material; NULL for the C library's

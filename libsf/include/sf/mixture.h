@@ -167,8 +167,9 @@ SF_API SF_CHECKED sf_status sf_mixture_create(const sf_mixture_samples *samples,
 SF_API void sf_mixture_destroy(sf_mixture *mixture);
 
 /**
- * How many simplices there are; 0 for NULL.
+ * How many simplices there are.
  *
+ * @return the number; 0 for NULL.
  * @cost constant.   @threads any.
  * @since 0.2
  */
