@@ -48,6 +48,7 @@ struct sf_diffuser {
     size_t row, size;     // numbers in a row, and in a slice
     int32_t *up;          // what came from below: [y][x][material]
     int32_t *here, *next; // what came within the slice, to this row and to the next
+    uint8_t *placed;      // material + 1 of each voxel in a row
     totals totals[SF_MATERIAL_MAX];
     sf_allocator allocator;
 };
@@ -107,7 +108,8 @@ sf_status sf_diffuser_create(uint32_t width, uint32_t height, uint32_t material_
     d->up = sfi_alloc_array(&a, size, sizeof *d->up);
     d->here = sfi_alloc_array(&a, row, sizeof *d->here);
     d->next = sfi_alloc_array(&a, row, sizeof *d->next);
-    if (d->up == NULL || d->here == NULL || d->next == NULL) {
+    d->placed = sfi_alloc_array(&a, width, sizeof *d->placed);
+    if (d->up == NULL || d->here == NULL || d->next == NULL || d->placed == NULL) {
         sf_diffuser_destroy(d);
         return SF_ERR_MEMORY;
     }
@@ -123,6 +125,7 @@ void sf_diffuser_destroy(sf_diffuser *diffuser)
         sfi_free_array(&a, diffuser->up, diffuser->size, sizeof *diffuser->up);
         sfi_free_array(&a, diffuser->here, diffuser->row, sizeof *diffuser->here);
         sfi_free_array(&a, diffuser->next, diffuser->row, sizeof *diffuser->next);
+        sfi_free_array(&a, diffuser->placed, diffuser->width, sizeof *diffuser->placed);
         sfi_free_array(&a, diffuser, 1, sizeof *diffuser);
     }
 }
@@ -209,7 +212,7 @@ static void drop(sf_diffuser *d, uint32_t x, uint32_t y)
     }
 }
 
-static void diffuse_row(sf_diffuser *d, const sf_tones *t, uint32_t y, uint8_t *placed)
+static void diffuse_row(sf_diffuser *d, const sf_tones *t, uint32_t y)
 {
     int step = (y + d->slices) % 2 == 0 ? 1 : -1;
     int32_t wanted[SF_MATERIAL_MAX];
@@ -218,14 +221,14 @@ static void diffuse_row(sf_diffuser *d, const sf_tones *t, uint32_t y, uint8_t *
         uint32_t x = step > 0 ? i : d->width - 1 - i;
         if (!solid_at(t, x, y)) {
             drop(d, x, y);
-            placed[x] = 0;
+            d->placed[x] = 0;
             continue;
         }
         want(d, t, x, y, wanted);
         uint32_t j = most(wanted, d->materials);
         wanted[j] -= UNIT;
         d->totals[j].placed++;
-        placed[x] = (uint8_t)(j + 1);
+        d->placed[x] = (uint8_t)(j + 1);
         pass_on(d, t, x, y, step, wanted);
     }
     int32_t *kept = d->here;
@@ -238,14 +241,14 @@ static void diffuse_row(sf_diffuser *d, const sf_tones *t, uint32_t y, uint8_t *
 // ---------------------------------------------------------------------------------------------
 
 static void emit_row(const sf_diffuser *d, const sf_tones *t, const sf_materials *materials,
-                     uint32_t y, const uint8_t *placed, uint64_t *counts)
+                     uint32_t y, uint64_t *counts)
 {
     for (uint32_t x = 0; x < d->width; x += SFI_STRETCH) {
         uint32_t end = d->width - x < SFI_STRETCH ? d->width : x + SFI_STRETCH;
         uint64_t words[SF_MATERIAL_MAX][SFI_STRETCH_WORDS] = {{0}};
         for (uint32_t i = x; i < end; i++) {
-            if (placed[i] > 0) {
-                words[placed[i] - 1][(i - x) / 64] |= UINT64_C(1) << i % 64;
+            if (d->placed[i] > 0) {
+                words[d->placed[i] - 1][(i - x) / 64] |= UINT64_C(1) << i % 64;
             }
         }
         sfi_emit(t, materials, d->materials, y, x / 64, sfi_row_words(end - x), words, counts);
@@ -256,7 +259,6 @@ sf_status sf_diffuser_slice(sf_diffuser *diffuser, const sf_tones *tones,
                             const sf_materials *materials)
 {
     sf_diffuser *d = diffuser;
-    uint8_t placed[SF_EXTENT_MAX];
     uint64_t counts[SF_MATERIAL_MAX] = {0};
     if (d == NULL) {
         return SF_ERR_ARGUMENT;
@@ -270,8 +272,8 @@ sf_status sf_diffuser_slice(sf_diffuser *diffuser, const sf_tones *tones,
     }
     memset(d->here, 0, d->row * sizeof *d->here);
     for (uint32_t y = 0; y < d->height; y++) {
-        diffuse_row(d, tones, y, placed);
-        emit_row(d, tones, materials, y, placed, counts);
+        diffuse_row(d, tones, y);
+        emit_row(d, tones, materials, y, counts);
     }
     d->slices++;
     if (materials->counts != NULL) {
