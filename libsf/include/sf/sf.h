@@ -20,6 +20,7 @@
 #include <sf/orient.h>
 #include <sf/preserve.h>
 #include <sf/printing.h>
+#include <sf/property.h>
 #include <sf/repair.h>
 #include <sf/stance.h>
 #include <sf/stand.h>
