@@ -81,7 +81,7 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --up +x --build +z --gamma 6 --wall 2 -o standing\n"
       "  sf stand part.stl --carve paper --no-deform --drain 3\n"
       "  sf stand part.stl -o standing --layers layers --certificate layers.json\n"
-      "  sf stand part.stl --suspend 0,0,9\n"
+      "  sf stand part.stl --suspend 28,25,36\n"
       "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
       "  sf stand part.stl --up -y --rest\n",
       "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png"},
