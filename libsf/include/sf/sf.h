@@ -8,6 +8,7 @@
 #include <sf/bend.h>
 #include <sf/blend.h>
 #include <sf/body.h>
+#include <sf/cage.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
 #include <sf/density.h>
@@ -21,6 +22,7 @@
 #include <sf/preserve.h>
 #include <sf/printing.h>
 #include <sf/property.h>
+#include <sf/refine.h>
 #include <sf/repair.h>
 #include <sf/stance.h>
 #include <sf/stand.h>
