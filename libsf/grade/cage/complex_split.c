@@ -19,8 +19,6 @@
 #include "base/memory.h"
 #include "base/status.h"
 
-#include <string.h>
-
 // Where each kind begins among the child's points, edges and faces.
 typedef struct offsets {
     uint32_t edge_point, face_point, cell_point;
@@ -96,19 +94,34 @@ static void set_face(sfi_complex *child, uint32_t face, const uint32_t points[4]
     }
 }
 
+// The piece of a face at one of its corners, in the face's list. The piece of a quadrilateral has
+// that corner where the quadrilateral has it, so that their axes are the same.
+static void face_piece(const sfi_complex *parent, const offsets *o, uint32_t f, uint32_t corner,
+                       uint32_t points[4], uint32_t edges[4])
+{
+    uint32_t start = parent->face_points.starts[f], end = parent->face_points.starts[f + 1];
+    uint32_t before = corner > start ? corner - 1 : end - 1;
+    uint32_t point = parent->face_points.items[corner];
+    uint32_t next = parent->face_edges[corner], last = parent->face_edges[before];
+    uint32_t around[4] = {point, o->edge_point + next, o->face_point + f, o->edge_point + last};
+    uint32_t along[4] = {half_edge(parent, next, point), o->face_edge + corner,
+                         o->face_edge + before, half_edge(parent, last, point)};
+    uint32_t turn = end - start == 4 ? corner - start : 0;
+    for (uint32_t i = 0; i < 4; i++) {
+        points[(i + turn) % 4] = around[i];
+        edges[(i + turn) % 4] = along[i];
+    }
+}
+
 static void split_face(const sfi_complex *parent, const offsets *o, uint32_t f, sfi_complex *child)
 {
     uint32_t start = parent->face_points.starts[f], end = parent->face_points.starts[f + 1];
     int outside = parent->dimension == 3 && parent->face_cells[2 * (size_t)f + 1] == SFI_NONE;
     for (uint32_t i = start; i < end; i++) {
-        uint32_t before = i > start ? i - 1 : end - 1;
-        uint32_t point = parent->face_points.items[i];
-        uint32_t next = parent->face_edges[i], last = parent->face_edges[before];
-        uint32_t points[4] = {point, o->edge_point + next, o->face_point + f, o->edge_point + last};
-        uint32_t edges[4] = {half_edge(parent, next, point), o->face_edge + i,
-                             o->face_edge + before, half_edge(parent, last, point)};
+        uint32_t points[4], edges[4];
+        face_piece(parent, o, f, i, points, edges);
         set_face(child, i, points, edges);
-        set_edge(child, o->face_edge + i, o->face_point + f, o->edge_point + next);
+        set_edge(child, o->face_edge + i, o->face_point + f, o->edge_point + parent->face_edges[i]);
         child->edge_outside[o->face_edge + i] = (uint8_t)outside;
     }
     child->point_outside[o->face_point + f] = (uint8_t)outside;
@@ -291,11 +304,8 @@ void sfi_complex_split_cells(const sfi_complex *parent, uint32_t *corners)
     for (uint32_t f = 0; parent->dimension == 2 && f < parent->faces; f++) {
         uint32_t start = parent->face_points.starts[f], end = parent->face_points.starts[f + 1];
         for (uint32_t i = start; i < end; i++) {
-            uint32_t before = i > start ? i - 1 : end - 1;
-            uint32_t points[4] = {parent->face_points.items[i],
-                                  o.edge_point + parent->face_edges[i], o.face_point + f,
-                                  o.edge_point + parent->face_edges[before]};
-            memcpy(corners + 4 * (size_t)i, points, sizeof points);
+            uint32_t edges[4];
+            face_piece(parent, &o, f, i, corners + 4 * (size_t)i, edges);
         }
     }
 }

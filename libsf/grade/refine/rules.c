@@ -64,15 +64,10 @@ static uint32_t list_size(const sfi_lists *lists, uint32_t list)
 }
 
 // ---------------------------------------------------------------------------------------------
-// Cells, faces, edges
+// Faces and edges
 // ---------------------------------------------------------------------------------------------
 
-void sfi_rules_cell(const sfi_rules *rules, uint32_t cell, sfi_row *row)
-{
-    add_cell(rules, row, cell, 1);
-}
-
-void sfi_rules_face(const sfi_rules *rules, uint32_t face, sfi_row *row)
+static void add_face_point(const sfi_rules *rules, sfi_row *row, uint32_t face)
 {
     const uint32_t *cells = rules->complex->face_cells + 2 * (size_t)face;
     if (sfi_on_surface(rules->complex, face)) {
@@ -100,7 +95,7 @@ static void add_smooth_edge(const sfi_rules *r, sfi_row *row, uint32_t edge, dou
     add_edge(r, row, edge, weight / 2);
 }
 
-void sfi_rules_edge(const sfi_rules *rules, uint32_t edge, sfi_row *row)
+static void add_edge_point(const sfi_rules *rules, sfi_row *row, uint32_t edge)
 {
     const sfi_complex *c = rules->complex;
     if (c->dimension == 3 && !c->edge_outside[edge]) {
@@ -302,7 +297,7 @@ static void add_inner_point(const sfi_rules *r, sfi_row *row, uint32_t point)
     sfi_row_add(row, point, 1.0 / 8);
 }
 
-void sfi_rules_point(const sfi_rules *rules, uint32_t point, sfi_row *row)
+static void add_point(const sfi_rules *rules, sfi_row *row, uint32_t point)
 {
     const sfi_complex *c = rules->complex;
     if (list_size(&rules->point_edges, point) == 0) {
@@ -322,5 +317,19 @@ void sfi_rules_point(const sfi_rules *rules, uint32_t point, sfi_row *row)
     add_surface_point(rules, row, point, &before, passing);
     if (passing < 1) {
         add_surface_point(rules, row, point, &after, 1 - passing);
+    }
+}
+
+void sfi_rules_row(const sfi_rules *rules, uint32_t point, sfi_row *row)
+{
+    const sfi_complex *c = rules->complex;
+    if (point < c->points) {
+        add_point(rules, row, point);
+    } else if (point - c->points < c->edges) {
+        add_edge_point(rules, row, point - c->points);
+    } else if (point - c->points - c->edges < c->faces) {
+        add_face_point(rules, row, point - c->points - c->edges);
+    } else {
+        add_cell(rules, row, point - c->points - c->edges - c->faces, 1);
     }
 }

@@ -18,13 +18,15 @@ typedef struct sfi_rules {
     sfi_lists edge_cells;
 } sfi_rules;
 
-// Add to an empty row what the point becomes that belongs to an element.
-void sfi_rules_cell(const sfi_rules *rules, uint32_t cell, sfi_row *row);
-void sfi_rules_face(const sfi_rules *rules, uint32_t face, sfi_row *row);
-void sfi_rules_edge(const sfi_rules *rules, uint32_t edge, sfi_row *row);
-void sfi_rules_point(const sfi_rules *rules, uint32_t point, sfi_row *row);
+// Look at a complex, which must stay as it is. SF_ERR_MEMORY.
+sf_status sfi_rules_begin(const sfi_complex *complex, int separable, sfi_rules *rules);
+void sfi_rules_free(sfi_rules *rules);
 
-// The matrix of one step: rows for points, edges, faces and cells, in that order. SF_ERR_MEMORY;
+// Add to an empty row what a point of the next step comes of: points are those of points, edges,
+// faces and cells, in that order.
+void sfi_rules_row(const sfi_rules *rules, uint32_t point, sfi_row *row);
+
+// The matrix of one step. SF_ERR_MEMORY;
 // SF_ERR_OVERFLOW; SF_ERR_CANCELLED.
 sf_status sfi_rules_matrix(const sfi_complex *complex, int separable, sf_task *task,
                            sfi_matrix *matrix);

@@ -49,9 +49,11 @@ typedef struct sf_refinement sf_refinement;
  * Refine a cage.
  *
  * After a step the points are those of the points before, of the edges, of the faces and of the
- * cells, in that order. Piece j of a cell has the cell's corner j as its own corner j; pieces of
- * one cell follow each other. Where neighbours name different values of a property at their
- * corners, each side is refined by itself, as if it ended there: the property jumps there, exactly.
+ * cells, in that order. Pieces of one cell follow each other; piece j holds the cell's corner j,
+ * as its own corner j where the cell is a hexahedron (in dimension 2 a quadrilateral), so that axes
+ * are kept, and as its first corner else. Where neighbours name different values of a property at
+ * their corners, each side is refined by itself, as if it ended there: the property jumps there,
+ * exactly.
  *
  * @param cage       the cage, not needed any more afterwards
  * @param options    NULL for the defaults

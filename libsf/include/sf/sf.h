@@ -16,6 +16,7 @@
 #include <sf/grow.h>
 #include <sf/halftone.h>
 #include <sf/handles.h>
+#include <sf/limit.h>
 #include <sf/mesh.h>
 #include <sf/mixture.h>
 #include <sf/orient.h>

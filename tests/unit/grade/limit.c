@@ -1,0 +1,526 @@
+// SPDX-License-Identifier: MIT
+// Why: the shape at a place is worked out from kinds of neighbourhoods and their matrices, none of
+// which anybody sees. Here the shape is found the plain way: the cells around a place are cut out
+// of the cage, refined by one step as a cage of their own, and so on thirty times, until what is
+// left is a point. Promises: both agree within 1e-6 of the cage, for solids and surfaces, creases,
+// wedges and jumps; derivatives are those of differences; corners have the weights of the known
+// formulas; a regular lattice is mapped to itself; what is constant stays so.
+
+#include "cages.h"
+#include "failing_allocator.h"
+
+#include <sf/limit.h>
+
+static sf_limit *limit_of(const test_cage *c, sf_refine_rules rules)
+{
+    sf_cage *cage = test_cage_make(c);
+    sf_limit *limit = NULL;
+    CHECK_EQ(sf_limit_create(cage, rules, NULL, NULL, &limit), SF_OK);
+    sf_cage_destroy(cage);
+    return limit;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The plain way
+// ---------------------------------------------------------------------------------------------
+
+// Cells of a cage around one of them, two deep, as a cage that owns its arrays.
+typedef struct cutout {
+    test_cage cage;
+    size_t middle;
+} cutout;
+
+static void mark_touching(const sf_cage_view *v, const unsigned char *cells, unsigned char *points)
+{
+    for (size_t i = 0; i < v->cell_count; i++) {
+        for (uint32_t j = v->starts[i]; cells[i] && j < v->starts[i + 1]; j++) {
+            points[v->corners[j]] = 1;
+        }
+    }
+}
+
+static cutout cut_out(const sf_cage_view *v, size_t cell, const sf_channel *values)
+{
+    unsigned char *cells = calloc(v->cell_count, 1), *points = calloc(v->point_count, 1);
+    uint32_t *numbers = calloc(v->point_count, sizeof *numbers);
+    cells[cell] = 1;
+    for (int ring = 0; ring < 2; ring++) {
+        mark_touching(v, cells, points);
+        for (size_t i = 0; i < v->cell_count; i++) {
+            for (uint32_t j = v->starts[i]; j < v->starts[i + 1]; j++) {
+                cells[i] |= points[v->corners[j]];
+            }
+        }
+    }
+    mark_touching(v, cells, points);
+    size_t cell_count = 0, point_count = 0;
+    for (size_t i = 0; i < v->cell_count; i++) {
+        cell_count += cells[i];
+    }
+    for (size_t i = 0; i < v->point_count; i++) {
+        numbers[i] = (uint32_t)point_count;
+        point_count += points[i];
+    }
+    size_t corners = v->starts[cell + 1] - v->starts[cell];
+    cutout c = {test_cage_begin(v->dimension, point_count, cell_count, corners), 0};
+    c.cage.values = calloc(point_count, sizeof(double));
+    for (size_t i = 0; i < v->point_count; i++) {
+        if (points[i]) {
+            memcpy(c.cage.positions + 3 * (size_t)numbers[i], v->positions + 3 * i, 24);
+            c.cage.values[numbers[i]] = values->values[i];
+        }
+    }
+    size_t at = 0;
+    for (size_t i = 0; i < v->cell_count; i++) {
+        for (size_t j = 0; cells[i] && j < corners; j++) {
+            c.cage.corners[corners * at + j] = numbers[v->corners[v->starts[i] + j]];
+        }
+        c.middle = i == cell ? at : c.middle;
+        at += cells[i];
+    }
+    for (size_t i = 0; i < v->crease_count; i++) {
+        const sf_crease *s = &v->creases[i];
+        if (points[s->points[0]] && points[s->points[1]]) {
+            sf_crease moved = {{numbers[s->points[0]], numbers[s->points[1]]}, s->sharpness};
+            c.cage.crease[c.cage.creases++] = moved;
+        }
+    }
+    for (size_t i = 0; i < v->sharp_count; i++) {
+        if (points[v->sharps[i].point]) {
+            sf_sharp_point moved = {numbers[v->sharps[i].point], v->sharps[i].sharpness};
+            c.cage.sharp[c.cage.sharps++] = moved;
+        }
+    }
+    free(cells);
+    free(points);
+    free(numbers);
+    return c;
+}
+
+// Refine around a place, and give the middle of what is left: a position and a value.
+static void plain(const test_cage *start, sf_refine_rules rules, sf_place place, int depth,
+                  double found[4])
+{
+    sf_cage *cage = test_cage_make(start);
+    size_t cell = place.piece;
+    uint32_t dimension = start->dimension, corners = 1u << dimension;
+    for (int step = 0; step <= depth; step++) {
+        sf_refine_options options = sf_refine_options_default();
+        options.rules = rules;
+        sf_refinement *r = NULL;
+        sf_cage_view v;
+        CHECK_EQ(sf_refine(cage, &options, NULL, NULL, &r), SF_OK);
+        CHECK_EQ(sf_refinement_get_view(r, 1, &v), SF_OK);
+        sf_cage_destroy(cage);
+        if (step > 0) { // the first step makes pieces, the others cut one
+            uint32_t bits = 0;
+            for (uint32_t axis = 0; axis < dimension; axis++) {
+                uint32_t high = place.u[axis] >= 0.5;
+                place.u[axis] = 2 * place.u[axis] - high;
+                bits |= high << axis;
+            }
+            cell = corners * cell + (bits ^ (bits >> 1 & 1));
+        }
+        cutout c = cut_out(&v, cell, &v.channels[0]);
+        sf_refinement_destroy(r);
+        cage = test_cage_make(&c.cage);
+        cell = c.middle;
+        memset(found, 0, 4 * sizeof *found);
+        for (uint32_t i = 0; i < corners; i++) {
+            uint32_t point = c.cage.corners[corners * cell + i];
+            for (int axis = 0; axis < 3; axis++) {
+                found[axis] += c.cage.positions[3 * point + (uint32_t)axis] / corners;
+            }
+            found[3] += c.cage.values[point] / corners;
+        }
+        test_cage_free(&c.cage);
+    }
+    sf_cage_destroy(cage);
+}
+
+// Cages of all kinds: regular, around a line, of wedges, with creases of all strengths.
+enum { KINDS = 9 };
+
+static test_cage kind_of(int kind)
+{
+    test_cage c;
+    if (kind == 0) {
+        c = test_cage_block(3, 3, 3);
+    } else if (kind < 5) {
+        static const uint32_t around[4] = {3, 5, 6, 8};
+        c = test_cage_wheel(around[kind - 1], 3, 0.2);
+    } else if (kind == 5) { // wedges around a line
+        c = test_cage_begin(3, 14, 6, 6);
+        for (uint32_t i = 0; i < 14; i++) {
+            uint32_t k = i % 7;
+            test_cage_place(&c, i, k == 0 ? 0 : cos(k), k == 0 ? 0 : sin(k), i / 7);
+        }
+        for (uint32_t i = 0; i < 6; i++) {
+            uint32_t wedge[6] = {0, 1 + i, 1 + (i + 1) % 6, 7, 8 + i, 8 + (i + 1) % 6};
+            memcpy(c.corners + 6 * (size_t)i, wedge, sizeof wedge);
+        }
+    } else { // a cube with creases: for ever all around, for a while, and in part
+        static const uint32_t ends[4][2] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+        c = test_cage_block(1, 1, 1);
+        for (int i = 0; i < 4; i++) {
+            sf_crease crease = {{ends[i][0], ends[i][1]},
+                                kind == 6   ? SF_SHARP
+                                : kind == 7 ? 2
+                                            : 1.4};
+            c.crease[c.creases++] = crease;
+        }
+        if (kind == 8) {
+            c.sharp[0].point = 7;
+            c.sharp[0].sharpness = 0.7;
+            c.sharps = 1;
+        }
+    }
+    c.values = calloc(c.points, sizeof *c.values);
+    for (size_t i = 0; i < c.points; i++) {
+        c.values[i] = test_random_unit();
+    }
+    return c;
+}
+
+static sf_place random_place(const sf_limit *limit)
+{
+    sf_place place = {test_random_below((uint32_t)sf_limit_piece_count(limit)), {0, 0, 0}};
+    for (int axis = 0; axis < 3; axis++) {
+        uint32_t kind = test_random_below(4); // also on sides, and close to them
+        double x = test_random_unit();
+        place.u[axis] = kind == 0 ? x < 0.5 ? 0 : 1 : kind == 1 ? x * 0x1p-12 : x;
+    }
+    return place;
+}
+
+static void compare(const test_cage *c, sf_refine_rules rules, int places, double *worst)
+{
+    sf_limit *limit = limit_of(c, rules);
+    for (int i = 0; i < places; i++) {
+        sf_place place = random_place(limit);
+        double expected[4], position[3], value = NAN;
+        plain(c, rules, place, 34, expected);
+        CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, position, NULL), SF_OK);
+        CHECK_EQ(sf_limit_values(limit, 0, 1, &place, NULL, NULL, &value, NULL), SF_OK);
+        for (int axis = 0; axis < 3; axis++) {
+            *worst = fmax(*worst, fabs(position[axis] - expected[axis]));
+        }
+        *worst = fmax(*worst, fabs(value - expected[3]));
+    }
+    sf_limit_destroy(limit);
+}
+
+static void solids_are_what_refinement_tends_to(void)
+{
+    double worst = 0;
+    for (int kind = 0; kind < KINDS; kind++) {
+        test_cage c = kind_of(kind);
+        compare(&c, SF_REFINE_STANDARD, 12, &worst);
+        if (kind < 5) {
+            compare(&c, SF_REFINE_SEPARABLE, 4, &worst);
+        }
+        test_cage_free(&c);
+    }
+    printf("# at most %.2g apart, of cages of size 1 to 3\n", worst);
+    CHECK(worst < 1e-6);
+}
+
+// A pentagon fan and a strip, with an edge that is sharp for a while.
+static void surfaces_are_what_refinement_tends_to(void)
+{
+    double worst = 0;
+    for (uint32_t n = 3; n < 7; n++) {
+        test_cage wheel = test_cage_wheel(n, 1, 0.2), c = test_cage_begin(2, 2 * n + 1, n, 4);
+        memcpy(c.positions, wheel.positions, 3 * c.points * sizeof *c.positions);
+        for (size_t i = 0; i < n; i++) {
+            memcpy(c.corners + 4 * i, wheel.corners + 8 * i, 4 * sizeof *c.corners);
+        }
+        c.values = calloc(c.points, sizeof *c.values);
+        for (size_t i = 0; i < c.points; i++) {
+            c.values[i] = test_random_unit();
+        }
+        sf_crease crease = {{0, 1}, n - 2.5};
+        c.crease[0] = crease;
+        c.creases = n % 2;
+        c.sharp[0].point = 2; // a corner of the border
+        c.sharp[0].sharpness = SF_SHARP;
+        c.sharps = 1;
+        compare(&c, SF_REFINE_STANDARD, 12, &worst);
+        test_cage_free(&wheel);
+        test_cage_free(&c);
+    }
+    printf("# at most %.2g apart, of cages of size 3\n", worst);
+    CHECK(worst < 1e-6);
+}
+
+// ---------------------------------------------------------------------------------------------
+// What is known
+// ---------------------------------------------------------------------------------------------
+
+static void derivatives_are_those_of_differences(void)
+{
+    const double h = 1e-5;
+    for (int kind = 0; kind < KINDS; kind++) {
+        test_cage c = kind_of(kind);
+        sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+        for (int i = 0; i < 40; i++) {
+            sf_place place = random_place(limit), ends[2];
+            double at[3], d[9], value, slope[3], p[6], v[2];
+            for (int axis = 0; axis < 3; axis++) { // away from what is irregular
+                place.u[axis] = 0.1 + 0.8 * test_random_unit();
+            }
+            CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, at, d), SF_OK);
+            CHECK_EQ(sf_limit_values(limit, 0, 1, &place, NULL, NULL, &value, slope), SF_OK);
+            for (int axis = 0; axis < 3; axis++) {
+                ends[0] = ends[1] = place;
+                ends[0].u[axis] -= h;
+                ends[1].u[axis] += h;
+                CHECK_EQ(sf_limit_positions(limit, 2, ends, NULL, NULL, p, NULL), SF_OK);
+                CHECK_EQ(sf_limit_values(limit, 0, 2, ends, NULL, NULL, v, NULL), SF_OK);
+                for (int x = 0; x < 3; x++) {
+                    CHECK_NEAR(d[3 * x + axis], (p[3 + x] - p[x]) / (2 * h), 1e-7);
+                }
+                CHECK_NEAR(slope[axis], (v[1] - v[0]) / (2 * h), 1e-7);
+            }
+        }
+        sf_limit_destroy(limit);
+        test_cage_free(&c);
+    }
+}
+
+// The limit of the point in the middle of a wheel of n faces, after Halstead, Kass and DeRose.
+static void corners_have_the_weights_of_the_known_formula(void)
+{
+    for (uint32_t n = 3; n < 12; n++) {
+        test_cage wheel = test_cage_wheel(n, 1, 0.3), c = test_cage_begin(2, 2 * n + 1, n, 4);
+        memcpy(c.positions, wheel.positions, 3 * c.points * sizeof *c.positions);
+        for (size_t i = 0; i < n; i++) {
+            memcpy(c.corners + 4 * i, wheel.corners + 8 * i, 4 * sizeof *c.corners);
+        }
+        sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+        double expected[3] = {0, 0, 0}, found[3];
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            for (uint32_t k = 1; k <= 2 * n; k++) { // edge points have odd numbers
+                expected[axis] += (k % 2 ? 4 : 1) * c.positions[3 * k + axis];
+            }
+            expected[axis] = (expected[axis] + n * n * c.positions[axis]) / (n * (n + 5.0));
+        }
+        sf_place place = {0, {0, 0, 0}};
+        CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, found, NULL), SF_OK);
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            CHECK_NEAR(found[axis], expected[axis], 1e-12);
+        }
+        sf_limit_destroy(limit);
+        test_cage_free(&wheel);
+        test_cage_free(&c);
+    }
+}
+
+// At a cube's corner three faces meet: (9 V + 4 sum of E + sum of F) / 24.
+static void a_cube_comes_to_its_known_corner(void)
+{
+    test_cage c = test_cage_block(1, 1, 1);
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    static const double first[3] = {0, 0, 0}, last[3] = {1, 1, 1};
+    const double corner = (4.0 * 1 + 1 * 2) / 24; // of three E one lies at 1, of three F two
+    sf_place places[2];
+    double p[6];
+    CHECK_EQ(sf_limit_place(limit, 0, first, &places[0]), SF_OK);
+    CHECK_EQ(sf_limit_place(limit, 0, last, &places[1]), SF_OK);
+    CHECK_EQ(sf_limit_positions(limit, 2, places, NULL, NULL, p, NULL), SF_OK);
+    for (int i = 0; i < 6; i++) {
+        CHECK_NEAR(p[i], i < 3 ? corner : 1 - corner, 1e-12);
+    }
+    sf_limit_destroy(limit);
+    test_cage_free(&c);
+}
+
+static void a_lattice_is_mapped_to_itself(void)
+{
+    test_cage c = test_cage_block(5, 5, 5);
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    for (int i = 0; i < 200; i++) {
+        double u[3], p[3], d[9];
+        sf_place place;
+        for (int axis = 0; axis < 3; axis++) {
+            u[axis] = test_random_unit();
+        }
+        CHECK_EQ(sf_limit_place(limit, 2 + 5 * (2 + 5 * 2), u, &place), SF_OK); // the middle
+        CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, d), SF_OK);
+        for (int axis = 0; axis < 3; axis++) {
+            CHECK_NEAR(p[axis], 2 + u[axis], 1e-14);
+            for (int other = 0; other < 3; other++) {
+                CHECK_NEAR(d[3 * axis + other], axis == other ? 0.5 : 0, 1e-13); // half a cell
+            }
+        }
+    }
+    sf_limit_destroy(limit);
+    test_cage_free(&c);
+}
+
+// The sides of a solid are the surface that its boundary makes by itself.
+static void the_boundary_is_a_surface_of_its_own(void)
+{
+    static const uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
+    test_cage solid = test_cage_block(1, 1, 1), skin = test_cage_begin(2, 8, 6, 4);
+    for (size_t i = 0; i < 24; i++) {
+        solid.positions[i] += 0.3 * test_random_unit();
+    }
+    memcpy(skin.positions, solid.positions, 24 * sizeof(double));
+    memcpy(skin.corners, sides, sizeof sides);
+    sf_limit *a = limit_of(&solid, SF_REFINE_STANDARD), *b = limit_of(&skin, SF_REFINE_STANDARD);
+    for (int i = 0; i < 50; i++) {
+        double u = test_random_unit(), v = test_random_unit(), p[3], q[3];
+        double below[3] = {u, v, 0}, flat[3] = {v, u, 7}; // the first side's axes are y and x
+        sf_place x, y;
+        CHECK_EQ(sf_limit_place(a, 0, below, &x), SF_OK);
+        CHECK_EQ(sf_limit_place(b, 0, flat, &y), SF_OK);
+        CHECK_EQ(sf_limit_positions(a, 1, &x, NULL, NULL, p, NULL), SF_OK);
+        CHECK_EQ(sf_limit_positions(b, 1, &y, NULL, NULL, q, NULL), SF_OK);
+        for (int axis = 0; axis < 3; axis++) {
+            CHECK_NEAR(p[axis], q[axis], 1e-12);
+        }
+    }
+    sf_limit_destroy(a);
+    sf_limit_destroy(b);
+    test_cage_free(&solid);
+    test_cage_free(&skin);
+}
+
+static void each_side_of_a_jump_has_its_value(void)
+{
+    for (int kind = 0; kind < 5; kind++) {
+        test_cage c = kind_of(kind);
+        c.value_count = 2;
+        c.values[0] = 0.1;
+        c.values[1] = 0.7;
+        c.indices = calloc(8 * c.cells, sizeof *c.indices);
+        for (size_t i = 0; i < 8 * c.cells; i++) {
+            c.indices[i] = i / 8 >= c.cells / 3; // the lower third, and the rest
+        }
+        sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+        for (int i = 0; i < 100; i++) {
+            sf_place place = random_place(limit);
+            double value = NAN;
+            CHECK_EQ(sf_limit_values(limit, 0, 1, &place, NULL, NULL, &value, NULL), SF_OK);
+            CHECK(value == c.values[place.piece / 8 >= c.cells / 3]);
+        }
+        sf_limit_destroy(limit);
+        test_cage_free(&c);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Calls
+// ---------------------------------------------------------------------------------------------
+
+enum { COUNT = 1500 };
+
+static void updates_are_those_of_a_limit_made_anew(void)
+{
+    static sf_place places[COUNT];
+    static double a[3 * COUNT], b[3 * COUNT];
+    test_cage c = kind_of(2);
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    for (size_t i = 0; i < 3 * c.points; i++) {
+        c.positions[i] += 0.1 * test_random_unit();
+        c.values[i / 3] = test_random_unit();
+    }
+    CHECK_EQ(sf_limit_update_positions(limit, c.positions, NULL), SF_OK);
+    CHECK_EQ(sf_limit_update_values(limit, 0, c.values, NULL), SF_OK);
+    CHECK_EQ(sf_limit_update_values(limit, 1, c.values, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_limit_update_positions(NULL, c.positions, NULL), SF_ERR_ARGUMENT);
+    sf_limit *anew = limit_of(&c, SF_REFINE_STANDARD);
+    for (int i = 0; i < COUNT; i++) {
+        places[i] = random_place(limit);
+    }
+    CHECK_EQ(sf_limit_positions(limit, COUNT, places, NULL, NULL, a, NULL), SF_OK);
+    CHECK_EQ(sf_limit_positions(anew, COUNT, places, NULL, NULL, b, NULL), SF_OK);
+    CHECK(memcmp(a, b, sizeof a) == 0);
+    CHECK_EQ(sf_limit_values(limit, 0, COUNT, places, NULL, NULL, a, NULL), SF_OK);
+    for (int i = 0; i < COUNT; i += 100) { // one by one is the same
+        CHECK_EQ(sf_limit_values(anew, 0, 1, &places[i], NULL, NULL, b, NULL), SF_OK);
+        CHECK(a[i] == b[0]);
+    }
+    sf_limit_destroy(anew);
+    sf_limit_destroy(limit);
+    test_cage_free(&c);
+}
+
+static void what_cannot_be_asked_is_refused(void)
+{
+    test_cage c = kind_of(5); // wedges
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD), *none = NULL;
+    CHECK_EQ(sf_limit_piece_count(limit), 36);
+    CHECK_EQ(sf_limit_piece_count(NULL), 0);
+    sf_place place = {36, {0, 0, 0}};
+    double p[3] = {7, 7, 7}, u[3] = {0, 0, 0};
+    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
+    place.piece = 0;
+    place.u[1] = 1.001;
+    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
+    place.u[1] = NAN;
+    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
+    place.u[1] = 0;
+    CHECK_EQ(sf_limit_values(limit, 1, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_limit_positions(limit, 1, NULL, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_limit_positions(limit, 0, NULL, NULL, NULL, NULL, NULL), SF_OK);
+    sf_task task = sf_task_default();
+    sf_task_cancel(&task);
+    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, &task, p, NULL), SF_ERR_CANCELLED);
+    CHECK(p[0] == 7 && p[2] == 7);
+    CHECK_EQ(sf_limit_place(limit, 0, u, &place), SF_ERR_UNSUPPORTED);
+    CHECK_EQ(sf_limit_place(limit, 6, u, &place), SF_ERR_ARGUMENT);
+    sf_cage *cage = test_cage_make(&c);
+    CHECK_EQ(sf_limit_create(cage, SF_REFINE_STANDARD, NULL, &task, &none), SF_ERR_CANCELLED);
+    CHECK(none == NULL);
+    sf_cage_destroy(cage);
+    sf_limit_destroy(limit);
+    sf_limit_destroy(NULL);
+    test_cage_free(&c);
+}
+
+static void without_memory_there_is_no_limit(void)
+{
+    test_cage c = kind_of(1);
+    c.indices = calloc(8 * c.cells, sizeof *c.indices);
+    c.indices[5] = 1;
+    c.value_count = 2;
+    sf_cage *cage = test_cage_make(&c);
+    failing_allocator memory;
+    sf_status status = SF_ERR_MEMORY;
+    // Thousands: all of the first kind of neighbourhood, some of the others.
+    for (long k = 0; status != SF_OK; k += k < 400 ? 1 : 37) {
+        failing_begin(&memory, k);
+        sf_limit *limit = NULL;
+        status = sf_limit_create(cage, SF_REFINE_STANDARD, &memory.allocator, NULL, &limit);
+        CHECK(status == SF_OK || (status == SF_ERR_MEMORY && limit == NULL));
+        sf_limit_destroy(limit);
+        CHECK(memory.live == 0 && memory.faults == 0);
+    }
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    sf_place place = {0, {0.5, 0.5, 0.5}};
+    double p[3];
+    failing_begin(&memory, 0);
+    CHECK_EQ(sf_limit_positions(limit, 1, &place, &memory.allocator, NULL, p, NULL), SF_ERR_MEMORY);
+    sf_limit_destroy(limit);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
+int main(void)
+{
+    TEST(solids_are_what_refinement_tends_to);
+    TEST(surfaces_are_what_refinement_tends_to);
+    TEST(derivatives_are_those_of_differences);
+    TEST(corners_have_the_weights_of_the_known_formula);
+    TEST(a_cube_comes_to_its_known_corner);
+    TEST(a_lattice_is_mapped_to_itself);
+    TEST(the_boundary_is_a_surface_of_its_own);
+    TEST(each_side_of_a_jump_has_its_value);
+    TEST(updates_are_those_of_a_limit_made_anew);
+    TEST(what_cannot_be_asked_is_refused);
+    TEST(without_memory_there_is_no_limit);
+    return test_finish();
+}
