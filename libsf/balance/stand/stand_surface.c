@@ -10,7 +10,7 @@
 
 #include "balance/stand/stand_surface.h"
 
-#include "balance/bend/morton.h"
+#include "mesh/morton.h"
 #include "base/memory.h"
 #include "base/status.h"
 #include "mesh/mesh.h"

@@ -11,7 +11,7 @@
 
 #include "balance/wall/near.h"
 
-#include "balance/bend/morton.h"
+#include "mesh/morton.h"
 #include "base/memory.h"
 #include "base/status.h"
 

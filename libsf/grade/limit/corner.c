@@ -81,7 +81,8 @@ static void power_corner(const sfi_kind *kind, uint32_t place, double *weights, 
         multiply(&kind->steps[place], weights, scratch);
         change = 0;
         for (uint32_t j = 0; j < points; j++) {
-            change = fmax(change, fabs(scratch[j] - weights[j]));
+            double moved = fabs(scratch[j] - weights[j]);
+            change = moved > change ? moved : change;
             weights[j] = scratch[j];
         }
     }

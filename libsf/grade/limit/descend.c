@@ -15,8 +15,9 @@
 
 enum { DEPTH = 48 };
 
-void sfi_limit_corner(const sfi_kind *kind, uint32_t place, uint32_t width, const double *values,
-                      double *value)
+// The limit of a corner of the first cell.
+static void corner_limit(const sfi_kind *kind, uint32_t place, uint32_t width, const double *values,
+                         double *value)
 {
     uint32_t points = kind->ring.points;
     const double *weights = kind->corners + (size_t)points * place;
@@ -49,7 +50,7 @@ static void blend_corners(const sfi_kind *kind, uint32_t width, const double *va
     uint32_t dimension = kind->ring.dimension;
     double corners[SFI_RING_CORNERS][SFI_SPLINE_WIDTH];
     for (uint32_t place = 0; place < 1u << dimension; place++) {
-        sfi_limit_corner(kind, place, width, values, corners[place]);
+        corner_limit(kind, place, width, values, corners[place]);
     }
     for (uint32_t c = 0; c < width; c++) {
         double sums[4] = {0, 0, 0, 0}; // by each axis, then the value

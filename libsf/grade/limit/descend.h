@@ -17,8 +17,4 @@ static inline size_t sfi_limit_scratch(const sfi_atlas *atlas, uint32_t width)
 void sfi_limit_at(const sfi_atlas *atlas, uint32_t kind, uint32_t width, const double *values,
                   const double *u, double *scratch, double *value, double *derivatives);
 
-// The values of a corner of the first cell, in the limit.
-void sfi_limit_corner(const sfi_kind *kind, uint32_t place, uint32_t width, const double *values,
-                      double *value);
-
 #endif

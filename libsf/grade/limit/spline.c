@@ -8,7 +8,8 @@
 
 #include <string.h>
 
-void sfi_spline_weights(double u, double weights[4], double slopes[4])
+// The weights of the four points along an axis, and of their derivative.
+static void weigh(double u, double weights[4], double slopes[4])
 {
     double v = 1 - u, uu = u * u, vv = v * v;
     weights[0] = vv * v / 6;
@@ -86,7 +87,7 @@ void sfi_spline_at(const sfi_spline *spline, const double *u, double *value, dou
 {
     double weights[3][4], slopes[3][4], slope[SFI_SPLINE_WIDTH];
     for (uint32_t axis = 0; axis < spline->dimension; axis++) {
-        sfi_spline_weights(u[axis], weights[axis], slopes[axis]);
+        weigh(u[axis], weights[axis], slopes[axis]);
     }
     sum_axes(spline, (const double(*)[4])weights, value);
     for (uint32_t c = 0; c < spline->width; c++) {

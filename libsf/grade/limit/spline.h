@@ -24,7 +24,4 @@ void sfi_spline_gather(const sfi_net *net, uint32_t dimension, uint32_t width, c
 // of each number by each axis, axes together.
 void sfi_spline_at(const sfi_spline *spline, const double *u, double *value, double *derivatives);
 
-// The weights of the four points along an axis, and of their derivative.
-void sfi_spline_weights(double u, double weights[4], double slopes[4]);
-
 #endif

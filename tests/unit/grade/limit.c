@@ -6,19 +6,7 @@
 // wedges and jumps; derivatives are those of differences; corners have the weights of the known
 // formulas; a regular lattice is mapped to itself; what is constant stays so.
 
-#include "cages.h"
-#include "failing_allocator.h"
-
-#include <sf/limit.h>
-
-static sf_limit *limit_of(const test_cage *c, sf_refine_rules rules)
-{
-    sf_cage *cage = test_cage_make(c);
-    sf_limit *limit = NULL;
-    CHECK_EQ(sf_limit_create(cage, rules, NULL, NULL, &limit), SF_OK);
-    sf_cage_destroy(cage);
-    return limit;
-}
+#include "limits.h"
 
 // ---------------------------------------------------------------------------------------------
 // The plain way
@@ -136,61 +124,6 @@ static void plain(const test_cage *start, sf_refine_rules rules, sf_place place,
         test_cage_free(&c.cage);
     }
     sf_cage_destroy(cage);
-}
-
-// Cages of all kinds: regular, around a line, of wedges, with creases of all strengths.
-enum { KINDS = 9 };
-
-static test_cage kind_of(int kind)
-{
-    test_cage c;
-    if (kind == 0) {
-        c = test_cage_block(3, 3, 3);
-    } else if (kind < 5) {
-        static const uint32_t around[4] = {3, 5, 6, 8};
-        c = test_cage_wheel(around[kind - 1], 3, 0.2);
-    } else if (kind == 5) { // wedges around a line
-        c = test_cage_begin(3, 14, 6, 6);
-        for (uint32_t i = 0; i < 14; i++) {
-            uint32_t k = i % 7;
-            test_cage_place(&c, i, k == 0 ? 0 : cos(k), k == 0 ? 0 : sin(k), i / 7);
-        }
-        for (uint32_t i = 0; i < 6; i++) {
-            uint32_t wedge[6] = {0, 1 + i, 1 + (i + 1) % 6, 7, 8 + i, 8 + (i + 1) % 6};
-            memcpy(c.corners + 6 * (size_t)i, wedge, sizeof wedge);
-        }
-    } else { // a cube with creases: for ever all around, for a while, and in part
-        static const uint32_t ends[4][2] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
-        c = test_cage_block(1, 1, 1);
-        for (int i = 0; i < 4; i++) {
-            sf_crease crease = {{ends[i][0], ends[i][1]},
-                                kind == 6   ? SF_SHARP
-                                : kind == 7 ? 2
-                                            : 1.4};
-            c.crease[c.creases++] = crease;
-        }
-        if (kind == 8) {
-            c.sharp[0].point = 7;
-            c.sharp[0].sharpness = 0.7;
-            c.sharps = 1;
-        }
-    }
-    c.values = calloc(c.points, sizeof *c.values);
-    for (size_t i = 0; i < c.points; i++) {
-        c.values[i] = test_random_unit();
-    }
-    return c;
-}
-
-static sf_place random_place(const sf_limit *limit)
-{
-    sf_place place = {test_random_below((uint32_t)sf_limit_piece_count(limit)), {0, 0, 0}};
-    for (int axis = 0; axis < 3; axis++) {
-        uint32_t kind = test_random_below(4); // also on sides, and close to them
-        double x = test_random_unit();
-        place.u[axis] = kind == 0 ? x < 0.5 ? 0 : 1 : kind == 1 ? x * 0x1p-12 : x;
-    }
-    return place;
 }
 
 static void compare(const test_cage *c, sf_refine_rules rules, int places, double *worst)
@@ -411,104 +344,6 @@ static void each_side_of_a_jump_has_its_value(void)
     }
 }
 
-// ---------------------------------------------------------------------------------------------
-// Calls
-// ---------------------------------------------------------------------------------------------
-
-enum { COUNT = 1500 };
-
-static void updates_are_those_of_a_limit_made_anew(void)
-{
-    static sf_place places[COUNT];
-    static double a[3 * COUNT], b[3 * COUNT];
-    test_cage c = kind_of(2);
-    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
-    for (size_t i = 0; i < 3 * c.points; i++) {
-        c.positions[i] += 0.1 * test_random_unit();
-        c.values[i / 3] = test_random_unit();
-    }
-    CHECK_EQ(sf_limit_update_positions(limit, c.positions, NULL), SF_OK);
-    CHECK_EQ(sf_limit_update_values(limit, 0, c.values, NULL), SF_OK);
-    CHECK_EQ(sf_limit_update_values(limit, 1, c.values, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_limit_update_positions(NULL, c.positions, NULL), SF_ERR_ARGUMENT);
-    sf_limit *anew = limit_of(&c, SF_REFINE_STANDARD);
-    for (int i = 0; i < COUNT; i++) {
-        places[i] = random_place(limit);
-    }
-    CHECK_EQ(sf_limit_positions(limit, COUNT, places, NULL, NULL, a, NULL), SF_OK);
-    CHECK_EQ(sf_limit_positions(anew, COUNT, places, NULL, NULL, b, NULL), SF_OK);
-    CHECK(memcmp(a, b, sizeof a) == 0);
-    CHECK_EQ(sf_limit_values(limit, 0, COUNT, places, NULL, NULL, a, NULL), SF_OK);
-    for (int i = 0; i < COUNT; i += 100) { // one by one is the same
-        CHECK_EQ(sf_limit_values(anew, 0, 1, &places[i], NULL, NULL, b, NULL), SF_OK);
-        CHECK(a[i] == b[0]);
-    }
-    sf_limit_destroy(anew);
-    sf_limit_destroy(limit);
-    test_cage_free(&c);
-}
-
-static void what_cannot_be_asked_is_refused(void)
-{
-    test_cage c = kind_of(5); // wedges
-    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD), *none = NULL;
-    CHECK_EQ(sf_limit_piece_count(limit), 36);
-    CHECK_EQ(sf_limit_piece_count(NULL), 0);
-    sf_place place = {36, {0, 0, 0}};
-    double p[3] = {7, 7, 7}, u[3] = {0, 0, 0};
-    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
-    place.piece = 0;
-    place.u[1] = 1.001;
-    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
-    place.u[1] = NAN;
-    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
-    place.u[1] = 0;
-    CHECK_EQ(sf_limit_values(limit, 1, 1, &place, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_limit_positions(limit, 1, NULL, NULL, NULL, p, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_limit_positions(limit, 0, NULL, NULL, NULL, NULL, NULL), SF_OK);
-    sf_task task = sf_task_default();
-    sf_task_cancel(&task);
-    CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, &task, p, NULL), SF_ERR_CANCELLED);
-    CHECK(p[0] == 7 && p[2] == 7);
-    CHECK_EQ(sf_limit_place(limit, 0, u, &place), SF_ERR_UNSUPPORTED);
-    CHECK_EQ(sf_limit_place(limit, 6, u, &place), SF_ERR_ARGUMENT);
-    sf_cage *cage = test_cage_make(&c);
-    CHECK_EQ(sf_limit_create(cage, SF_REFINE_STANDARD, NULL, &task, &none), SF_ERR_CANCELLED);
-    CHECK(none == NULL);
-    sf_cage_destroy(cage);
-    sf_limit_destroy(limit);
-    sf_limit_destroy(NULL);
-    test_cage_free(&c);
-}
-
-static void without_memory_there_is_no_limit(void)
-{
-    test_cage c = kind_of(1);
-    c.indices = calloc(8 * c.cells, sizeof *c.indices);
-    c.indices[5] = 1;
-    c.value_count = 2;
-    sf_cage *cage = test_cage_make(&c);
-    failing_allocator memory;
-    sf_status status = SF_ERR_MEMORY;
-    // Thousands: all of the first kind of neighbourhood, some of the others.
-    for (long k = 0; status != SF_OK; k += k < 400 ? 1 : 37) {
-        failing_begin(&memory, k);
-        sf_limit *limit = NULL;
-        status = sf_limit_create(cage, SF_REFINE_STANDARD, &memory.allocator, NULL, &limit);
-        CHECK(status == SF_OK || (status == SF_ERR_MEMORY && limit == NULL));
-        sf_limit_destroy(limit);
-        CHECK(memory.live == 0 && memory.faults == 0);
-    }
-    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
-    sf_place place = {0, {0.5, 0.5, 0.5}};
-    double p[3];
-    failing_begin(&memory, 0);
-    CHECK_EQ(sf_limit_positions(limit, 1, &place, &memory.allocator, NULL, p, NULL), SF_ERR_MEMORY);
-    sf_limit_destroy(limit);
-    sf_cage_destroy(cage);
-    test_cage_free(&c);
-}
-
 int main(void)
 {
     TEST(solids_are_what_refinement_tends_to);
@@ -519,8 +354,5 @@ int main(void)
     TEST(a_lattice_is_mapped_to_itself);
     TEST(the_boundary_is_a_surface_of_its_own);
     TEST(each_side_of_a_jump_has_its_value);
-    TEST(updates_are_those_of_a_limit_made_anew);
-    TEST(what_cannot_be_asked_is_refused);
-    TEST(without_memory_there_is_no_limit);
     return test_finish();
 }

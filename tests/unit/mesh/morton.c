@@ -3,7 +3,7 @@
 // point once, and bring the neighbours of a fine mesh together: on average many times closer than a
 // random order does.
 
-#include "balance/bend/morton.h"
+#include "mesh/morton.h"
 #include "base/memory.h"
 #include "failing_allocator.h"
 #include "test.h"

@@ -6,7 +6,7 @@
 // geodetic data base", 1966). Four stable counting passes of 8 bits sort them. A mesh whose
 // vertices come in this order finds the neighbours of most vertices in the cache.
 
-#include "balance/bend/morton.h"
+#include "mesh/morton.h"
 
 #include "base/memory.h"
 

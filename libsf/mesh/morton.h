@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An order of points in which neighbours in space are mostly neighbours in memory.
 
-#ifndef SF_BALANCE_MORTON_H
-#define SF_BALANCE_MORTON_H
+#ifndef SF_MESH_MORTON_H
+#define SF_MESH_MORTON_H
 
 #include <sf/base.h>
 
