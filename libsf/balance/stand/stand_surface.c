@@ -10,10 +10,10 @@
 
 #include "balance/stand/stand_surface.h"
 
-#include "mesh/morton.h"
 #include "base/memory.h"
 #include "base/status.h"
 #include "mesh/mesh.h"
+#include "mesh/morton.h"
 
 #include <string.h>
 

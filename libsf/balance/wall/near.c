@@ -11,9 +11,9 @@
 
 #include "balance/wall/near.h"
 
-#include "mesh/morton.h"
 #include "base/memory.h"
 #include "base/status.h"
+#include "mesh/morton.h"
 
 #include <float.h>
 #include <math.h>

@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-enum { DEPTH = 48 };
+enum { DEPTH = 48, SLOPE_DEPTH = 20 };
 
 // The limit of a corner of the first cell.
 static void corner_limit(const sfi_kind *kind, uint32_t place, uint32_t width, const double *values,
@@ -68,6 +68,13 @@ static void blend_corners(const sfi_kind *kind, uint32_t width, const double *va
     }
 }
 
+static void multiply(double *numbers, uint32_t count, double factor)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        numbers[i] *= factor;
+    }
+}
+
 void sfi_limit_at(const sfi_atlas *atlas, uint32_t kind, uint32_t width, const double *values,
                   const double *u, double *scratch, double *value, double *derivatives)
 {
@@ -76,6 +83,11 @@ void sfi_limit_at(const sfi_atlas *atlas, uint32_t kind, uint32_t width, const d
     double *next = scratch, *other = scratch + (size_t)atlas->most_points * width;
     memcpy(at, u, dimension * sizeof *at);
     for (int depth = 0; !atlas->kinds[kind].is_regular && depth < DEPTH; depth++) {
+        if (depth == SLOPE_DEPTH && derivatives != NULL) {
+            blend_corners(&atlas->kinds[kind], width, values, at, value, derivatives);
+            multiply(derivatives, dimension * width, scale);
+            derivatives = NULL; // they are done
+        }
         uint32_t place = 0;
         for (uint32_t axis = 0; axis < dimension; axis++) {
             uint32_t high = at[axis] >= 0.5;
@@ -94,9 +106,9 @@ void sfi_limit_at(const sfi_atlas *atlas, uint32_t kind, uint32_t width, const d
         sfi_spline_gather(&atlas->kinds[kind].net, dimension, width, values, &spline);
         sfi_spline_at(&spline, at, value, derivatives);
     } else {
-        blend_corners(&atlas->kinds[kind], width, values, at, value, derivatives);
+        blend_corners(&atlas->kinds[kind], width, values, at, value, NULL);
     }
-    for (uint32_t i = 0; derivatives != NULL && i < dimension * width; i++) {
-        derivatives[i] *= scale;
+    if (derivatives != NULL) {
+        multiply(derivatives, dimension * width, scale);
     }
 }

@@ -90,7 +90,7 @@ SF_API SF_CHECKED sf_status sf_limit_place(const sf_limit *limit, size_t cell, c
  *
  * Parameters a little outside of 0 to 1, by 1e-9, are taken for those of the border. On an
  * irregular edge or point derivatives by parameters tend to 0 or grow without bound; there they are
- * those of a place next to it.
+ * those over a millionth of a piece next to it.
  *
  * @param limit        the limit
  * @param count        how many places; may be 0

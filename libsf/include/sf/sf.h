@@ -17,6 +17,7 @@
 #include <sf/halftone.h>
 #include <sf/handles.h>
 #include <sf/limit.h>
+#include <sf/locate.h>
 #include <sf/mesh.h>
 #include <sf/mixture.h>
 #include <sf/orient.h>
