@@ -14,6 +14,8 @@ void sfi_chart_free(sfi_chart *chart)
 {
     const sf_allocator *allocator = &chart->atlas.allocator;
     sfi_free_array(allocator, chart->kinds, chart->pieces, sizeof *chart->kinds);
+    sfi_free_array(allocator, chart->across, 2 * (size_t)chart->pieces * chart->atlas.dimension,
+                   sizeof *chart->across);
     sfi_free_array(allocator, chart->points.starts, (size_t)chart->pieces + 1, sizeof(uint32_t));
     sfi_free_array(allocator, chart->points.items, chart->item_capacity, sizeof(uint32_t));
     sfi_atlas_free(&chart->atlas);
@@ -24,6 +26,10 @@ static sf_status add_piece(sfi_chart *chart, sfi_ring_finder *finder, uint32_t p
 {
     SF_TRY(sfi_ring_find(finder, piece));
     SF_TRY(sfi_atlas_add(&chart->atlas, &finder->ring, &chart->kinds[piece]));
+    for (uint32_t side = 0; side < 2 * chart->atlas.dimension; side++) {
+        chart->across[2 * (size_t)chart->atlas.dimension * piece + side] =
+            sfi_ring_across(finder, piece, side / 2, side % 2);
+    }
     uint32_t start = chart->points.starts[piece];
     size_t end = (size_t)start + finder->ring.points;
     if (end > UINT32_MAX) {
@@ -66,8 +72,10 @@ sf_status sfi_chart_make(const sfi_complex *complex, int separable, const sf_all
     SF_TRY(sfi_atlas_begin(allocator, complex->dimension, separable, &made.atlas));
     made.pieces = complex->dimension == 3 ? complex->cells : complex->faces;
     made.kinds = sfi_alloc_array(allocator, made.pieces, sizeof *made.kinds);
+    made.across = sfi_alloc_array(allocator, 2 * (size_t)made.pieces * complex->dimension,
+                                  sizeof *made.across);
     made.points.starts = sfi_alloc_array(allocator, (size_t)made.pieces + 1, sizeof(uint32_t));
-    sf_status status = made.kinds == NULL || made.points.starts == NULL
+    sf_status status = made.kinds == NULL || made.across == NULL || made.points.starts == NULL
                            ? SF_ERR_MEMORY
                            : sfi_ring_finder_begin(complex, allocator, &finder);
     if (status == SF_OK) {

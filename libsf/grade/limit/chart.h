@@ -10,6 +10,7 @@ typedef struct sfi_chart {
     sfi_atlas atlas;
     uint32_t pieces;
     uint32_t *kinds;  // of each piece
+    uint32_t *across; // of each piece the ones across its sides, low and high by axis; SFI_NONE
     sfi_lists points; // of each piece the points of its ring, in the ring's order
     size_t item_capacity;
 } sfi_chart;

@@ -93,9 +93,9 @@ static uint32_t face_at_side(uint32_t dimension, uint32_t axis, uint32_t high)
     return dimension == 3 ? solid[axis][high] : flat[axis][high];
 }
 
-// The cell across a side of a cell, both as the complex has them; SFI_NONE on the boundary.
-static uint32_t across(const sfi_ring_finder *f, uint32_t cell, uint32_t axis, uint32_t high)
+uint32_t sfi_ring_across(const sfi_ring_finder *finder, uint32_t cell, uint32_t axis, uint32_t high)
 {
+    const sfi_ring_finder *f = finder;
     const sfi_complex *c = f->complex;
     uint32_t side = face_at_side(c->dimension, axis, high);
     if (c->dimension == 3) {
@@ -217,7 +217,7 @@ static sf_status look_around(sfi_ring_finder *f, uint32_t index)
             here[place] = f->points_at[items[place]];
         }
         turned_side(c, f->cells_at[index], here, axis, high, &own_axis, &own_high);
-        uint32_t next = across(f, f->cells_at[index], own_axis, own_high);
+        uint32_t next = sfi_ring_across(f, f->cells_at[index], own_axis, own_high);
         if (next == SFI_NONE) {
             f->ring.outside[index] |= touches_first(&f->ring, items, axis, high) ? 1u << side : 0;
         } else if (f->cell_marks[next] == 2 * f->round) {

@@ -47,6 +47,10 @@ sf_status sfi_ring_finder_begin(const sfi_complex *complex, const sf_allocator *
                                 sfi_ring_finder *finder);
 void sfi_ring_finder_free(sfi_ring_finder *finder);
 
+// The cell across a side of a cell; SFI_NONE on the boundary.
+uint32_t sfi_ring_across(const sfi_ring_finder *finder, uint32_t cell, uint32_t axis,
+                         uint32_t high);
+
 // Find the ring of a cell, into the finder, until it finds another. SF_ERR_MEMORY.
 sf_status sfi_ring_find(sfi_ring_finder *finder, uint32_t cell);
 

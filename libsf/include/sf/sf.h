@@ -26,6 +26,7 @@
 #include <sf/property.h>
 #include <sf/refine.h>
 #include <sf/repair.h>
+#include <sf/sample.h>
 #include <sf/stance.h>
 #include <sf/stand.h>
 #include <sf/support.h>
