@@ -34,8 +34,7 @@ static grains round_point(const double *p, double grain)
     return g;
 }
 
-// The power of two that is 2^-40 of the largest coordinate, or up to twice that.
-static double find_grain(sf_mesh_view mesh)
+double sfi_mesh_grain(sf_mesh_view mesh)
 {
     double largest = 0, power = 1;
     for (size_t i = 0; i < 3 * mesh.vertex_count; i++) {
@@ -89,7 +88,7 @@ sf_status sfi_mesh_positions(sf_mesh_view mesh, const sf_allocator *allocator, u
         return SF_ERR_MEMORY;
     }
     memset(table, 0xff, slots * sizeof *table);
-    double grain = find_grain(mesh);
+    double grain = sfi_mesh_grain(mesh);
     size_t distinct = 0;
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         grains p = round_point(mesh.vertices + 3 * v, grain);

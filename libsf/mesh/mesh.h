@@ -6,6 +6,10 @@
 
 #include <sf/mesh.h>
 
+// Vertices that are nearer than this cannot be told apart: the power of two that is 2^-40 of the
+// largest coordinate, or up to twice that.
+double sfi_mesh_grain(sf_mesh_view mesh);
+
 // Number the distinct positions of the vertices, rounded to 2^-40 of the largest coordinate, by
 // first appearance. `ids` has room for vertex_count numbers; `count` gets how many there are.
 // SF_ERR_MEMORY changes nothing.
