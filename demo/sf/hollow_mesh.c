@@ -32,6 +32,15 @@ static sf_status append(sf_mesh *to, sf_mesh_view from, int turned)
     return status;
 }
 
+sf_status hollow_join(sf_mesh_view outer, sf_mesh_view inner, int turned, sf_mesh **made)
+{
+    sf_status status = sf_mesh_create(NULL, made);
+    if (status == SF_OK) {
+        status = append(*made, outer, 0);
+    }
+    return status == SF_OK ? append(*made, inner, turned) : status;
+}
+
 static sf_status join(cli_job *job, const part *p, const cavity *c, sf_mesh **made)
 {
     sf_surface_options how = sf_surface_options_default();
@@ -39,22 +48,17 @@ static sf_status join(cli_job *job, const part *p, const cavity *c, sf_mesh **ma
     how.smooth_passes = job->options.smooth;
     sf_status status = sf_grid_surface(c->carved, &how, NULL, &job->task, &inner);
     if (status == SF_OK) {
-        status = sf_mesh_create(NULL, made);
-    }
-    if (status == SF_OK) {
-        status = append(*made, sf_mesh_get_view(p->mesh), 0);
-    }
-    if (status == SF_OK) {
-        status = append(*made, sf_mesh_get_view(inner), 1);
+        status = hollow_join(sf_mesh_get_view(p->mesh), sf_mesh_get_view(inner), 1, made);
     }
     sf_mesh_destroy(inner);
     return status;
 }
 
-exit_status hollow_save(cli_job *job, const part *p, const cavity *c, const char *path)
+// In the axes of the input.
+static exit_status make_mesh(cli_job *job, const part *p, const cavity *c, sf_mesh **made)
 {
     if (!c->is_closed || c->drained.drain_count > 0) {
-        return output_save(job, p, c->done.after, path);
+        return output_make_mesh(job, p, c->done.after, "smoothed", made);
     }
     sf_mesh *mesh = NULL;
     progress_phase("making the mesh");
@@ -66,10 +70,41 @@ exit_status hollow_save(cli_job *job, const part *p, const cavity *c, const char
     sf_transform back = part_to_input(job);
     if (done == EXIT_GOOD) {
         status = sf_mesh_transform(mesh, &back);
-        done = status == SF_OK ? output_write_mesh(job, mesh, path) : fail(job, status);
+        done = status == SF_OK ? EXIT_GOOD : fail(job, status);
+    }
+    *made = mesh;
+    return done;
+}
+
+static exit_status save_halves(cli_job *job, const halves *h, const char *path)
+{
+    exit_status status = EXIT_GOOD;
+    for (int i = 0; status == EXIT_GOOD && !h->missed && i < 2; i++) {
+        char name[HALVES_PATH_SIZE];
+        status = halves_name(job, path, i, name);
+        if (status == EXIT_GOOD) {
+            status = output_write_mesh(job, h->mesh[i], name);
+        }
+    }
+    return status;
+}
+
+exit_status hollow_save(cli_job *job, const part *p, const cavity *c, const char *path, halves *h)
+{
+    sf_mesh *mesh = NULL;
+    exit_status status = make_mesh(job, p, c, &mesh);
+    if (status == EXIT_GOOD && (job->options.given & OPTION_CUT)) {
+        progress_phase("cutting the mesh");
+        status = halves_make(job, mesh, sf_mesh_format_from_name(path), h);
+    }
+    if (status == EXIT_GOOD) {
+        status = output_write_mesh(job, mesh, path);
+    }
+    if (status == EXIT_GOOD && (job->options.given & OPTION_CUT)) {
+        status = save_halves(job, h, path);
     }
     sf_mesh_destroy(mesh);
-    return done;
+    return status;
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -32,6 +32,8 @@ static const option_entry table[] = {
      "drill a hole of that width (or N) into every void; fill what none fits into"},
     {OPTION_DENSITY, "density", 0, "D|FILE", "what 1 mm3 weighs, or a file that says more"},
     {OPTION_CAVITY, "cavity", 0, "MESH", "also write the cavity, holes included, by itself"},
+    {OPTION_CUT, "cut", 0, "AXIS[,MM]",
+     "also cut the written mesh across x, y or z into halves _low and _high (default: its middle)"},
     {OPTION_PICTURE, "picture", 0, "PNG", "also draw the part, cut open"},
     {OPTION_LAYERS, "layers", 0, "FOLDER", "also write the layers of what was carved"},
     {OPTION_CERTIFICATE, "certificate", 0, "FILE", "a proof of the result, for sf-verify"},

@@ -61,6 +61,7 @@
 #define OPTION_LAYERS (UINT64_C(1) << 47)
 #define OPTION_MAX_SHIFT (UINT64_C(1) << 48)
 #define OPTION_TURN (UINT64_C(1) << 49)
+#define OPTION_CUT (UINT64_C(1) << 50)
 
 typedef struct cli_options {
     uint64_t given; // OPTION_* that were on the command line
@@ -93,6 +94,8 @@ typedef struct cli_options {
     double min_feature_mm;    // 0: none
     double wall_mm, drain_mm; // 0: not given
     uint32_t drain_count;     // holes for each void
+    int cut_axis;             // 0 to 2, where --cut was given
+    double cut_mm;            // infinite: in the middle
     sf_preserve_mode mode;
     int steepest;
     uint32_t crumbs; // places of at most that many voxels are not named

@@ -104,7 +104,7 @@ exit_status output_look_at_smoothed(cli_job *job, const part *p, const sf_mesh *
     return EXIT_GOOD;
 }
 
-static exit_status make_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *key,
+exit_status output_make_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *key,
                              sf_mesh **mesh)
 {
     sf_surface_options how = sf_surface_options_default();
@@ -147,7 +147,7 @@ exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, c
                              const char *key)
 {
     sf_mesh *mesh = NULL;
-    exit_status status = make_mesh(job, p, grid, key, &mesh);
+    exit_status status = output_make_mesh(job, p, grid, key, &mesh);
     if (status == EXIT_GOOD) {
         status = output_write_mesh(job, mesh, path);
     }

@@ -27,11 +27,15 @@ exit_status output_probe(cli_job *job, const char *path, output_kind kind);
 exit_status output_look_at_smoothed(cli_job *job, const part *p, const sf_mesh *mesh,
                                     const char *key);
 
+// The surface of a grid on the part's lattice, in the axes of the input. Where it is smoothed, an
+// object of the name `key` says what that did to it. The caller frees it, whatever is returned.
+exit_status output_make_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *key,
+                             sf_mesh **mesh);
+
 // Write a mesh as it is.
 exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *path);
 
-// Write the surface of a grid on the part's lattice, in the axes of the input, or its slices. Where
-// the surface is smoothed, an object of the name `key` says what that did to it.
+// Write that surface, or the grid's slices.
 exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path,
                              const char *key);
 exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, const char *path);

@@ -6,6 +6,8 @@
 #include "stand_files.h"
 
 #include "balance_picture.h"
+#include "halves.h"
+#include "hollow_mesh.h"
 #include "output.h"
 #include "progress.h"
 #include "stand_drill.h"
@@ -14,14 +16,16 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { OUTER, INNER, CUT, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
+enum { OUTER, INNER, CUT, LOW, HIGH, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
 
-static const char *const endings[] = {"_outer.stl", "_inner.stl", "_cut.stl", ".png", ".json"};
-static const char *const keys[] = {"outer", "inner", "cut", "picture", "report"};
+static const char *const endings[] = {"_outer.stl", "_inner.stl", "_cut.stl", "_low.stl",
+                                      "_high.stl",  ".png",       ".json"};
+static const char *const keys[] = {"outer", "inner", "cut", NULL, NULL, "picture", "report"};
 
 typedef struct file_set {
     char path[FILE_COUNT][PATH_SIZE];
     sf_save *save[FILE_COUNT]; // NULL: not written
+    halves halves;
     stand_layers layers;
 } file_set;
 
@@ -41,6 +45,9 @@ exit_status stand_files_check(cli_job *job)
 {
     file_set files;
     exit_status status = stand_layers_check(job);
+    if (status == EXIT_GOOD) {
+        status = halves_check(job, job->options.output != NULL);
+    }
     if (status != EXIT_GOOD || job->options.output == NULL) {
         return status;
     }
@@ -93,6 +100,40 @@ static exit_status write_surface(cli_job *job, file_set *files, int which, sf_me
         made == SF_OK ? write_mesh(job, files, which, mesh) : end(job, files, which, made);
     sf_mesh_destroy(mesh);
     return status;
+}
+
+// The model with its cavity, cut in two. Holes are not in it: those of one body are taken from
+// both.
+static exit_status write_halves(cli_job *job, file_set *files, const model *m)
+{
+    sf_mesh *whole = NULL;
+    sf_transform back = part_to_input(job);
+    if ((job->options.given & OPTION_CUT) == 0) {
+        return EXIT_GOOD;
+    }
+    sf_status made = hollow_join(sf_stand_outer(m->stand), sf_stand_cavity(m->stand), 0, &whole);
+    if (made == SF_OK) {
+        made = sf_mesh_transform(whole, &back);
+    }
+    exit_status status = made == SF_OK ? halves_make(job, whole, SF_MESH_FORMAT_STL, &files->halves)
+                                       : end(job, files, LOW, made);
+    for (int i = 0; status == EXIT_GOOD && !files->halves.missed && i < 2; i++) {
+        status = write_mesh(job, files, LOW + i, files->halves.mesh[i]);
+    }
+    sf_mesh_destroy(whole);
+    return status;
+}
+
+static void report_halves(cli_job *job, const file_set *files)
+{
+    if ((job->options.given & OPTION_CUT) == 0) {
+        return;
+    }
+    halves_report(job, &files->halves, files->path[LOW], files->path[HIGH]);
+    if (files->save[CUT] != NULL && !files->halves.missed) {
+        report_say(job->report, "The halves have the cavity, but not the holes: take _cut.stl from "
+                                "each of them.");
+    }
 }
 
 // Cavity and holes as one body.
@@ -149,9 +190,9 @@ static exit_status write_report(cli_job *job, file_set *files)
     report *r = job->report;
     report_number(r, "seconds", job_seconds(job));
     for (int i = 0; i < FILE_COUNT; i++) {
-        if (files->save[i] != NULL) {
+        if (keys[i] != NULL && files->save[i] != NULL) {
             report_text(r, keys[i], files->path[i]);
-        } else {
+        } else if (keys[i] != NULL) {
             report_null(r, keys[i]);
         }
     }
@@ -159,6 +200,7 @@ static exit_status write_report(cli_job *job, file_set *files)
                files->save[INNER] != NULL ? ", _inner.stl" : "",
                files->save[CUT] != NULL ? ", _cut.stl (cavity and holes, to be taken from it)" : "",
                files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
+    report_halves(job, files);
     report_layers(job, &files->layers);
     return status == EXIT_GOOD
                ? end(job, files, REPORT, report_print_json(r, sf_save_sink(files->save[REPORT])))
@@ -193,32 +235,41 @@ static exit_status publish(cli_job *job, file_set *files)
     return status;
 }
 
+static exit_status write_all(cli_job *job, file_set *files, const model *m)
+{
+    sf_mesh_view inside = sf_stand_cavity(m->stand);
+    exit_status status = write_surface(job, files, OUTER, sf_stand_outer(m->stand));
+    if (status == EXIT_GOOD && inside.triangle_count > 0) {
+        status = write_surface(job, files, INNER, inside);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_cut(job, files, m);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_halves(job, files, m);
+    }
+    if (status == EXIT_GOOD) {
+        status = write_picture(job, files, m);
+    }
+    if (status == EXIT_GOOD) {
+        status = stand_layers_begin(job, m, &files->layers);
+    }
+    return status == EXIT_GOOD ? write_report(job, files) : status;
+}
+
 exit_status stand_files_save(cli_job *job, const model *m)
 {
     file_set files;
     exit_status status = name_files(job, &files);
-    sf_mesh_view cavity = sf_stand_cavity(m->stand);
     progress_phase("writing");
     if (status == EXIT_GOOD) {
-        status = write_surface(job, &files, OUTER, sf_stand_outer(m->stand));
+        status = write_all(job, &files, m);
     }
-    if (status == EXIT_GOOD && cavity.triangle_count > 0) {
-        status = write_surface(job, &files, INNER, cavity);
-    }
+    int missed = files.halves.missed;
+    halves_release(&files.halves);
     if (status == EXIT_GOOD) {
-        status = write_cut(job, &files, m);
-    }
-    if (status == EXIT_GOOD) {
-        status = write_picture(job, &files, m);
-    }
-    if (status == EXIT_GOOD) {
-        status = stand_layers_begin(job, m, &files.layers);
-    }
-    if (status == EXIT_GOOD) {
-        status = write_report(job, &files);
-    }
-    if (status == EXIT_GOOD) {
-        return publish(job, &files);
+        status = publish(job, &files);
+        return status == EXIT_GOOD && missed ? EXIT_PROPERTY : status;
     }
     stand_layers_abort(&files.layers);
     for (int i = 0; i < FILE_COUNT; i++) {

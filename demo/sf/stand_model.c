@@ -9,6 +9,7 @@
 
 #include "change.h"
 #include "describe.h"
+#include "halves.h"
 #include "progress.h"
 #include "stand_drill.h"
 
@@ -83,6 +84,9 @@ exit_status model_read(cli_job *job, model *m)
     }
     if (status == EXIT_GOOD && m->part.mesh == NULL) {
         return job_fail(job, EXIT_INPUT, "%s: 'sf stand' takes a mesh.", job->options.input);
+    }
+    if (status == EXIT_GOOD) {
+        status = halves_check_part(job, &m->part);
     }
     if (status == EXIT_GOOD) {
         status = close_mesh(job, &m->part);

@@ -103,6 +103,15 @@ static int parse_drain(const char *text, cli_options *made)
     return good;
 }
 
+static int parse_cut(const char *text, cli_options *made)
+{
+    const char *names = "xyz", *found = text[0] != '\0' ? strchr(names, text[0]) : NULL;
+    made->cut_mm = INFINITY;
+    made->cut_axis = found != NULL ? (int)(found - names) : 0;
+    return found != NULL &&
+           (text[1] == '\0' || (text[1] == ',' && parse_numbers(text + 2, &made->cut_mm, 1, 1)));
+}
+
 static int parse_pixels(const char *text, cli_options *made)
 {
     double numbers[2];
@@ -254,6 +263,8 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
         return parse_bridge(text, made);
     case OPTION_DRAIN:
         return parse_drain(text, made);
+    case OPTION_CUT:
+        return parse_cut(text, made);
     case OPTION_WALL:
         return parse_positive(text, &made->wall_mm);
     case OPTION_RULE:

@@ -32,13 +32,13 @@ static exit_status save_picture(cli_job *job, const part *p, const cavity *c)
     return status;
 }
 
-static exit_status save_shapes(cli_job *job, const part *p, const cavity *c)
+static exit_status save_shapes(cli_job *job, const part *p, const cavity *c, halves *h)
 {
     const char *path = job->options.output, *inner = job->options.cavity;
     exit_status status = EXIT_GOOD;
     if (path != NULL) {
         status = output_kind_of(path) == OUTPUT_MESH
-                     ? hollow_save(job, p, c, path)
+                     ? hollow_save(job, p, c, path, h)
                      : output_save_stack(job, p, c->done.after, path);
     }
     if (status == EXIT_GOOD && inner != NULL) {
@@ -47,7 +47,17 @@ static exit_status save_shapes(cli_job *job, const part *p, const cavity *c)
     return status;
 }
 
-static void say_files(cli_job *job)
+static void say_halves(cli_job *job, const halves *h)
+{
+    char low[HALVES_PATH_SIZE], high[HALVES_PATH_SIZE];
+    if ((job->options.given & OPTION_CUT) &&
+        halves_name(job, job->options.output, 0, low) == EXIT_GOOD &&
+        halves_name(job, job->options.output, 1, high) == EXIT_GOOD) {
+        halves_report(job, h, low, high);
+    }
+}
+
+static void say_files(cli_job *job, const halves *h)
 {
     const char *path = job->options.output, *inner = job->options.cavity;
     report_number(job->report, "seconds", job_seconds(job));
@@ -55,6 +65,7 @@ static void say_files(cli_job *job)
         report_text(job->report, "output", path);
         report_say(job->report, "Written to %s.", path);
     }
+    say_halves(job, h);
     if (inner != NULL) {
         report_text(job->report, "cavity", inner);
         report_say(job->report, "The cavity, to be taken from the part, is in %s.", inner);
@@ -64,12 +75,12 @@ static void say_files(cli_job *job)
     }
 }
 
-static exit_status save(cli_job *job, const part *p, const cavity *c)
+static exit_status save_all(cli_job *job, const part *p, const cavity *c, halves *h)
 {
     sf_save *certificate;
     exit_status status = certify_begin(job, p, &c->done, &certificate);
     if (status == EXIT_GOOD) {
-        status = save_shapes(job, p, c);
+        status = save_shapes(job, p, c, h);
     }
     if (status == EXIT_GOOD) {
         status = save_picture(job, p, c);
@@ -82,8 +93,17 @@ static exit_status save(cli_job *job, const part *p, const cavity *c)
     if (status != EXIT_GOOD) {
         return status;
     }
-    say_files(job);
-    return cavity_holds(job, c) ? EXIT_GOOD : EXIT_PROPERTY;
+    say_files(job, h);
+    return cavity_holds(job, c) && !h->missed ? EXIT_GOOD : EXIT_PROPERTY;
+}
+
+static exit_status save(cli_job *job, const part *p, const cavity *c)
+{
+    halves h;
+    memset(&h, 0, sizeof h);
+    exit_status status = save_all(job, p, c, &h);
+    halves_release(&h);
+    return status;
 }
 
 static exit_status hollow(cli_job *job, const part *p)
@@ -113,6 +133,9 @@ static exit_status work(cli_job *job, part *p)
 {
     exit_status status = part_read(job, p);
     if (status == EXIT_GOOD) {
+        status = halves_check_part(job, p);
+    }
+    if (status == EXIT_GOOD) {
         status = part_voxelize(job, p);
     }
     if (status == EXIT_GOOD) {
@@ -121,6 +144,21 @@ static exit_status work(cli_job *job, part *p)
     if (status == EXIT_GOOD) {
         describe_part(job, p, "hollow");
         status = hollow(job, p);
+    }
+    return status;
+}
+
+// Whether the files of the halves can be written.
+static exit_status probe_halves(cli_job *job)
+{
+    const char *path = job->options.output;
+    exit_status status = halves_check(job, path != NULL && output_kind_of(path) == OUTPUT_MESH);
+    for (int i = 0; status == EXIT_GOOD && (job->options.given & OPTION_CUT) && i < 2; i++) {
+        char name[HALVES_PATH_SIZE];
+        status = halves_name(job, path, i, name);
+        if (status == EXIT_GOOD) {
+            status = output_probe(job, name, OUTPUT_MESH);
+        }
     }
     return status;
 }
@@ -145,6 +183,9 @@ static exit_status check(cli_job *job)
         return job_fail(job, EXIT_USAGE, "This build draws no pictures: it was made without PNG.");
     }
     exit_status status = output_check(job, 1);
+    if (status == EXIT_GOOD) {
+        status = probe_halves(job);
+    }
     if (status == EXIT_GOOD && asked->cavity != NULL) {
         status = output_probe(job, asked->cavity, OUTPUT_MESH);
     }

@@ -19,7 +19,8 @@
      OPTION_MIN_FEATURE | OPTION_DENSITY | OPTION_PIXELS | OPTION_BUILD | OPTION_GAMMA |           \
      OPTION_CONTACTS | OPTION_HANDLES | OPTION_MAX_SHIFT | OPTION_SUSPEND | OPTION_STANCE |        \
      OPTION_CARVE | OPTION_SOLVER | OPTION_MU | OPTION_NO_CARVE | OPTION_NO_DEFORM |               \
-     OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST | OPTION_LAYERS | OPTION_CERTIFICATE)
+     OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST | OPTION_LAYERS | OPTION_CERTIFICATE |        \
+     OPTION_CUT)
 #define CHANGE_OUTPUT "a mesh (.stl .obj .ply), or a folder for layers"
 
 const verb_entry verbs_table[] = {
@@ -69,8 +70,10 @@ const verb_entry verbs_table[] = {
      verb_preserve},
     {{"hollow", "take the inside out, so that what printed still does", "FILE", 0,
       CHANGE_OPTIONS | OPTION_WALL | OPTION_DRAIN | OPTION_MIN_FEATURE | OPTION_KEEP |
-          OPTION_DENSITY | OPTION_CAVITY | OPTION_PICTURE | OPTION_VIEW | OPTION_PIXELS,
+          OPTION_DENSITY | OPTION_CAVITY | OPTION_PICTURE | OPTION_VIEW | OPTION_PIXELS |
+          OPTION_CUT,
       "  sf hollow part.stl --wall 2 -o hollow.stl\n"
+      "  sf hollow part.stl --wall 2 --cut z -o hollow.stl\n"
       "  sf hollow part.stl --wall 2 --drain 3 -o layers --certificate layers.json\n"
       "  sf hollow part.stl --wall 2 --drain 3,2 --cavity cavity.stl --picture cut.png\n",
       CHANGE_OUTPUT},
@@ -81,6 +84,7 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --up +x --build +z --gamma 6 --wall 2 -o standing\n"
       "  sf stand part.stl --carve paper --no-deform --drain 3\n"
       "  sf stand part.stl -o standing --layers layers --certificate layers.json\n"
+      "  sf stand part.stl --cut x,8 -o standing\n"
       "  sf stand part.stl --suspend 28,25,36\n"
       "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
       "  sf stand part.stl --up -y --rest\n",

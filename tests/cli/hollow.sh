@@ -72,6 +72,46 @@ run hollow block.obj --pitch 1 --wall 3 --drain 4
 grep -q 'hole from x ' stdout
 ok $? "holes are named"
 
+# Halves: each is closed, together they are the whole, and what was shut in is open.
+exits 0 hollow block.obj --pitch 1 --wall 3 -o whole.stl --cut z --json
+cp stdout cut.report
+same "$(value halves.axis) $(value halves.at_mm) $(value halves.low.output) $(value halves.high.output)" "z 15 whole_low.stl whole_high.stl" "--cut says where, and what it wrote"
+exits 0 info whole.stl --json
+whole=$(value volume_mm3) shut=$(value flipped_shells)
+[ "$(value halves.shut_cavities cut.report)" -lt "$shut" ]
+ok $? "cavities that the plane meets are open ($(value halves.shut_cavities cut.report) of $shut are not)"
+exits 0 info whole_low.stl --json
+same "$(value closed) $(value oriented) $(value boundary_edges) $(value nonmanifold_edges) $(value bounds_mm.high.2)" "true true 0 0 15" "the low half is closed and lies below the plane"
+low=$(value volume_mm3)
+near() { awk -v a="$1" -v b="$2" 'BEGIN { d = a - b; exit !(d < 1e-3 && d > -1e-3) }'; }
+near "$low" "$(value halves.low.volume_mm3 cut.report)"
+ok $? "of the volume that the report names ($low)"
+exits 0 info whole_high.stl --json
+same "$(value closed) $(value nonmanifold_edges) $(value bounds_mm.low.2)" "true 0 15" "the high half as well"
+near "$(value volume_mm3)" "$(value halves.high.volume_mm3 cut.report)" && awk -v l="$low" -v h="$(value volume_mm3)" -v w="$whole" 'BEGIN { exit !((l + h - w) ^ 2 < 1e-4) }'
+ok $? "and both are the whole ($low, $(value volume_mm3), $whole)"
+exits 0 hollow block.obj --pitch 1 --wall 3 --drain 4 --up +x -o drilled.stl --cut x,17.3 --json
+for half in low high; do
+    exits 0 info drilled_$half.stl --json
+    same "$(value closed) $(value nonmanifold_edges)" "true 0" "drained and turned, the $half half is closed"
+done
+same "$(awk -v x="$(value bounds_mm.low.0)" 'BEGIN { printf "%.1f", x }')" "17.3" "in the axes of the input"
+exits 0 hollow scene:garden --resolution 48 --wall 3 -o garden.stl --cut y --json
+exits 0 info garden_low.stl --json
+same "$(value closed)" true "a scene's surface is cut, too"
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut z
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut z -o layers
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut z,30 -o beside.stl
+[ ! -e beside.stl ] && grep -q 'goes from 0 to 30 mm along z' stderr
+ok $? "a plane beside the part is refused: $(cat stderr)"
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut up -o beside.stl
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut z, -o beside.stl
+exits 2 hollow block.obj --pitch 1 --wall 3 --cut z,1,2 -o beside.stl
+mkdir -p taken_low.stl
+exits 4 hollow block.obj --pitch 1 --wall 3 --cut z -o taken.stl
+[ ! -e taken.stl ]
+ok $? "a half that cannot be written is said before the work"
+
 # What hung may hang on; nothing else does.
 awk 'BEGIN { b = 0 }
     function box(x0, y0, z0, x1, y1, z1, i) {

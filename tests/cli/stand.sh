@@ -168,6 +168,24 @@ exits 0 info drained_cut.stl --json
 awk -v v="$(value volume_mm3)" -v c="$carved" -v h="$hole" -v f="$filled" 'BEGIN { exit !((v >= c + h - 1e-3 || f > 0) && v < 1.1 * (c + h)) }'
 ok $? "the body to be taken away is as large, and goes on ($(value volume_mm3), $carved, $hole)"
 
+# Halves: of the model as it came out, so that a weight can be put in.
+exits 0 stand tower.obj --wall 1 --resolution 40 --drain 2 --cut z,20 --pixels 200,150 -o opened --json
+same "$(value halves.axis) $(value halves.at_mm) $(value halves.low.output) $(value halves.high.output)" "z 20 opened_low.stl opened_high.stl" "--cut opens it"
+grep -q 'take _cut.stl from' opened.json
+ok $? "and says where the holes are"
+sum=0
+for half in outer inner low high; do
+    exits 0 info opened_$half.stl --json
+    same "$(value closed)" true "opened_$half.stl is closed"
+    sum=$(awk -v s="$sum" -v v="$(value volume_mm3)" -v h=$half 'BEGIN { v = v < 0 ? -v : v; printf "%.6f", s + (h == "outer" ? -v : v) }')
+done
+near "$sum" 0 0.05 "the halves are the outside without the cavity"
+exits 0 stand tower.obj --wall 1 --resolution 40 --pixels 200,150 -o opened
+[ ! -e opened_low.stl ] && [ ! -e opened_high.stl ]
+ok $? "halves of an earlier run go"
+exits 2 stand tower.obj --cut z,20
+exits 2 stand tower.obj --cut z,40 -o beside
+
 # Contacts: on one of two feet. A bench whose feet stand at x = 0..4 and 16..20.
 awk 'BEGIN { b = 0; print "# bench" }
     function box(x0, x1, z0, z1, i) {

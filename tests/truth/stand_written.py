@@ -3,7 +3,8 @@
 # is taken from triangle to triangle, and the layers are looked at voxel by voxel, all from what was
 # written (written.py). The paper's balls must come as far by carving as was promised, by planes and
 # without supports; a horse on its hind hooves must stand after bending, moved by no more than 16 % of
-# its size, and not run into itself where it did not before.
+# its size, and not run into itself where it did not before. What --cut wrote must be closed, and hold what
+# the surface of the whole says is on its side of the plane.
 #
 # usage: stand_written.py SF [SF_VERIFY]; speaks TAP. Models from SF_DATA.
 
@@ -187,6 +188,44 @@ def horse(program, folder):
         look_at_wall(outer, inner, 0.01 * size, words)
 
 
+# --- Halves ---------------------------------------------------------------------------------------
+
+
+def look_at_halves(name, whole, axis, at, words):
+    """Each half is closed, lies on its side, and holds what is there of the whole."""
+    low, high = written.read_stl(name + "_low.stl"), written.read_stl(name + "_high.stl")
+    size = np.ptp(whole.reshape(-1, 3), axis=0).max()
+    check(written.is_closed(low) and written.is_closed(high), words + ": both halves are closed")
+    beyond = max(low[..., axis].max() - at, at - high[..., axis].min())
+    check(beyond <= 1e-6 * size, words + ": and end at the plane (%.3g)" % beyond)
+    below, all_of_it = written.volume_below(whole, axis, at), written.body(whole)[0]
+    for half, volume in ((low, below), (high, all_of_it - below)):
+        mine = written.body(half)[0]
+        check(abs(mine - volume) < 1e-6 * all_of_it, words + ": a half of %.9g, of %.9g" % (mine, volume))
+
+
+def halves(program, folder):
+    for file in ("horse.ply", "spot_low_resolution.obj", "human_man.obj"):
+        path = os.path.join(folder, "characters", file)
+        for axis in range(3):
+            at = (7, -5, 2)[axis]
+            words = "%s, hollow and cut across %s" % (file, "xyz"[axis])
+            made = run(program, "hollow", path, "-q", "--size", 100, "--wall", 2, "--resolution", 100,
+                       "-o", "hollow.stl", "--cut", "%s,%g" % ("xyz"[axis], at))
+            if made.returncode == 2:  # beside the part: through its middle
+                made = run(program, "hollow", path, "-q", "--size", 100, "--wall", 2, "--resolution", 100,
+                           "-o", "hollow.stl", "--cut", "xyz"[axis])
+                at = None
+            check(made.returncode == 0, words + ": made")
+            whole = written.read_stl("hollow.stl")
+            if at is None:
+                at = (whole[..., axis].min() + whole[..., axis].max()) / 2
+            look_at_halves("hollow", whole, axis, at, words)
+    model = os.path.join(folder, "characters", "spheres_outer.stl")
+    outer, inner, _ = stand(program, model, "balls", "--up", "+y", "--wall", 0.015, "--pitch", 0.01, "--cut", "x,0.5")
+    look_at_halves("balls", np.concatenate([outer, inner]), 0, 0.5, "balls that stand, cut")
+
+
 def main():
     folder = os.environ.get("SF_DATA")
     if folder is None:
@@ -198,6 +237,7 @@ def main():
         os.chdir(scratch)
         balls(program, verifier, folder)
         horse(program, folder)
+        halves(program, folder)
         os.chdir(folder)
     print("1..%d" % numbers["tests"])
     return 1 if numbers["failed"] > 0 else 0

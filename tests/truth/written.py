@@ -59,6 +59,22 @@ def body(triangles):
     return volume, (six[:, None] * p.sum(axis=1)).sum(axis=0) / 24 + volume * middle
 
 
+def volume_below(triangles, axis, at):
+    """Volume on the low side of a plane across an axis, from the surface alone: what flows out of it of
+    a field that is 0 in the plane, so that nothing has to be known of the cut."""
+    p = triangles - triangles.mean(axis=(0, 1)) * (np.arange(3) != axis)
+    flat = [(axis + 1) % 3, (axis + 2) % 3]
+    u, v = (p[:, 1] - p[:, 0])[:, flat], (p[:, 2] - p[:, 0])[:, flat]
+    area = (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2  # seen along the axis, with its sign
+    f = np.sort(triangles[:, :, axis] - at, axis=1)
+    low, middle, high = f[:, 0], f[:, 1], f[:, 2]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        below = np.where(middle > 0, low * low * low / ((low - middle) * (low - high)) / 3,
+                         f.sum(axis=1) / 3 - high * high * high / ((high - low) * (high - middle)) / 3)
+    below = np.where(high <= 0, f.sum(axis=1) / 3, np.where(low >= 0, 0, below))
+    return (area * below).sum()
+
+
 def centre(parts):
     """Centre of mass of all parts together, twice: by tetrahedra, and as trimesh has it."""
     ours = [body(part) for part in parts]
