@@ -188,10 +188,14 @@ static sf_status take_sizes(sf_mesh_view mesh, sf_stand *s)
 }
 
 // The balance of the solid as it was given.
-static sf_status weigh_before(sf_mesh_view mesh, sf_stand *s)
+static sf_status weigh_before(sf_mesh_view mesh, sf_task *task, sf_stand *s, sf_fault *fault)
 {
     sf_body body;
-    SF_TRY(sf_mesh_body(mesh, 1, &body));
+    sf_status weighed = sfi_stand_weigh_given(s, mesh, task, &body);
+    if (weighed == SF_ERR_ARGUMENT) {
+        return sfi_fault_set(fault, weighed, 0, 0, "a density is not above 0, or no finite number");
+    }
+    SF_TRY(weighed);
     body = sf_body_add(body, 1, sf_ballast_body(s->options.ballast, s->options.ballast_count));
     SF_TRY(sf_body_com(body, s->report.com_before_mm));
     s->report.margin_before_rad = INFINITY;
@@ -230,7 +234,7 @@ static sf_status make(sf_mesh_view mesh, const sf_stance_options *stances, const
     memset(s->held, 0, s->surface.point_count * sizeof *s->held);
     memset(s->foot, 0, s->surface.point_count * sizeof *s->foot);
     SF_TRY(sfi_stand_take_stances(s, fault));
-    SF_TRY(weigh_before(mesh, s));
+    SF_TRY(weigh_before(mesh, task, s, fault));
     if (handle_count > 0 && s->options.deform) {
         SF_TRY(sfi_stand_take_handles(handles, handle_count, task, s, fault));
     }
@@ -365,6 +369,11 @@ sf_mesh_view sf_stand_cavity(const sf_stand *stand)
 const sf_grid *sf_stand_grid(const sf_stand *stand)
 {
     return stand != NULL ? stand->carved.result : NULL;
+}
+
+const float *sf_stand_density(const sf_stand *stand)
+{
+    return stand != NULL ? stand->carved.density : NULL;
 }
 
 const sf_stance *sf_stand_stance(const sf_stand *stand, size_t index)

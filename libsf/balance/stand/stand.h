@@ -14,6 +14,8 @@
 // A carving of the shape as it is bent at the time.
 typedef struct sfi_carved {
     sf_grid *solid, *result;
+    float *density; // of each voxel, as sfi_stand_weigh() says; or NULL
+    size_t voxel_count;
     sf_mesh *cavity;        // its triangles look into the hollow
     double *rest, *weights; // of the cavity's vertices, before bending; NULL where nothing bends
     size_t point_count;
@@ -120,6 +122,15 @@ void sfi_carved_free(const sf_stand *stand, sfi_carved *carved);
 // that is 1 everywhere. SF_ERR_ARGUMENT: a density that is not above 0 or not finite.
 sf_status sfi_stand_weigh(const sf_stand *stand, const sf_pose *poses, const sf_grid *solid,
                           sf_task *task, float **density, size_t *count);
+
+// Add to a body what the voxels of a grid weigh more or less than 1; `density` as from
+// sfi_stand_weigh().
+sf_status sfi_stand_weigh_more(const sf_grid *grid, const float *density, sf_body *body);
+
+// What the solid weighs as it was handed in, before there are handles: a mesh, and what its voxels
+// weigh more or less than 1. Masses in points are not in it.
+sf_status sfi_stand_weigh_given(const sf_stand *stand, sf_mesh_view mesh, sf_task *task,
+                                sf_body *body);
 
 // A mass that is carried along, where it was before bending, into the sums of what bends. `scratch`
 // has room for 5 numbers a handle, and is not looked at where nothing bends.

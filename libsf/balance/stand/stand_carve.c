@@ -40,8 +40,6 @@ typedef struct carving {
     sf_task *task;
     sf_lattice lattice;
     sf_grid *wall, *other; // other: the solid by parity, then what hangs, then what is hollow
-    float *density;        // of each voxel, or NULL
-    size_t voxel_count;
     sf_body ballast;
     sf_rule rule;
     sfi_carved made;
@@ -139,13 +137,13 @@ static sf_status carve(carving *c, sf_stance *const *stances, sf_carve_goal goal
     terms.rule = c->rule;
     options.mode = s->options.carve_mode;
     options.goal = goal;
-    options.density = c->density;
+    options.density = c->made.density;
     options.rest = sf_body_add(sf_body_add(mesh, -1, voxels), 1, c->ballast);
     options.stances = (const sf_stance *const *)stances;
     options.stance_count = s->stance_count;
     options.strut_width_vx = s->options.strut_width_vx;
     if (s->report.rounds == 0 && sfi_stand_has_best(s, c->poses)) {
-        SF_TRY(sfi_stand_best(s, c->made.solid, c->wall, c->density, &options.rest, c->task,
+        SF_TRY(sfi_stand_best(s, c->made.solid, c->wall, c->made.density, &options.rest, c->task,
                               &c->made.has_bound, &c->made.bound_rad));
     }
     return sf_grid_carve(c->made.solid, c->wall, &terms, &options, a, c->task, c->made.result,
@@ -210,18 +208,14 @@ static sf_status follow_back(carving *c)
 
 static sf_status weigh(carving *c)
 {
-    sf_body cavity = {0, {0, 0, 0}}, plain, dense;
+    sf_body cavity = {0, {0, 0, 0}};
     SF_TRY(sf_mesh_body(c->outside, 1, &c->made.body));
     if (sf_mesh_get_view(c->made.cavity).triangle_count > 0) {
         SF_TRY(sf_mesh_body(sf_mesh_get_view(c->made.cavity), 1, &cavity));
     }
     c->made.body = sf_body_add(c->made.body, 1, cavity);
     c->made.body = sf_body_add(c->made.body, 1, c->ballast);
-    if (c->density != NULL) {
-        SF_TRY(sf_grid_body(c->made.result, NULL, NULL, &plain));
-        SF_TRY(sf_grid_body(c->made.result, c->density, NULL, &dense));
-        c->made.body = sf_body_add(c->made.body, 1, sf_body_add(dense, -1, plain));
-    }
+    SF_TRY(sfi_stand_weigh_more(c->made.result, c->made.density, &c->made.body));
     return c->made.body.mass > 0 ? SF_OK : SF_ERR_ARGUMENT;
 }
 
@@ -230,14 +224,14 @@ static sf_status go(carving *c, sf_stance *const *stances, sf_carve_goal goal, d
     const sf_stand_options *o = &c->stand->options;
     SF_TRY(make_voxels(c));
     SF_TRY(sf_rule_make(o->rule, o->angle_rad, &c->lattice, NULL, &c->rule, NULL));
-    SF_TRY(
-        sfi_stand_weigh(c->stand, c->poses, c->made.solid, c->task, &c->density, &c->voxel_count));
+    SF_TRY(sfi_stand_weigh(c->stand, c->poses, c->made.solid, c->task, &c->made.density,
+                           &c->made.voxel_count));
     SF_TRY(find_ballast(c, scratch));
     SF_TRY(o->carve ? carve(c, stances, goal) : keep_all(c));
     SF_TRY(count_hanging(c));
     SF_TRY(make_cavity(c));
     SF_TRY(follow_back(c));
-    SF_TRY(sfi_stand_carry_all(c->stand, c->poses, c->density, c->task, scratch, &c->made));
+    SF_TRY(sfi_stand_carry_all(c->stand, c->poses, c->made.density, c->task, scratch, &c->made));
     return weigh(c);
 }
 
@@ -246,6 +240,7 @@ void sfi_carved_free(const sf_stand *stand, sfi_carved *carved)
     const sf_allocator *a = &stand->allocator;
     sf_grid_destroy(carved->solid);
     sf_grid_destroy(carved->result);
+    sfi_free_array(a, carved->density, carved->voxel_count, sizeof *carved->density);
     sf_mesh_destroy(carved->cavity);
     sfi_incidence_free(a, &carved->incidence);
     sfi_free_array(a, carved->rest, carved->point_count, 3 * sizeof(double));
@@ -282,7 +277,6 @@ sf_status sfi_carved_make(const sf_stand *stand, const double *bent, const sf_po
     }
     sf_grid_destroy(c.wall);
     sf_grid_destroy(c.other);
-    sfi_free_array(a, c.density, c.voxel_count, sizeof *c.density);
     sfi_free_array(a, scratch, room, sizeof *scratch);
     if (status != SF_OK) {
         sfi_carved_free(stand, &c.made);

@@ -148,6 +148,50 @@ sf_status sfi_stand_weigh(const sf_stand *stand, const sf_pose *poses, const sf_
     return SF_OK;
 }
 
+// --- Bodies --------------------------------------------------------------------------------------
+
+sf_status sfi_stand_weigh_more(const sf_grid *grid, const float *density, sf_body *body)
+{
+    sf_body plain, dense;
+    if (density == NULL) {
+        return SF_OK;
+    }
+    SF_TRY(sf_grid_body(grid, NULL, NULL, &plain));
+    SF_TRY(sf_grid_body(grid, density, NULL, &dense));
+    *body = sf_body_add(*body, 1, sf_body_add(dense, -1, plain));
+    return SF_OK;
+}
+
+static sf_status weigh_voxels(const sf_stand *stand, sf_mesh_view mesh, sf_task *task,
+                              sf_grid *solid, sf_body *body)
+{
+    sf_voxelize_options how = sf_voxelize_options_default();
+    float *density = NULL;
+    size_t count = 0;
+    how.fill = SF_FILL_WINDING;
+    SF_TRY(sf_grid_voxelize(solid, mesh, &how, &stand->allocator, NULL, NULL));
+    SF_TRY(sfi_stand_weigh(stand, NULL, solid, task, &density, &count));
+    sf_status status = sfi_stand_weigh_more(solid, density, body);
+    sfi_free_array(&stand->allocator, density, count, sizeof *density);
+    return status;
+}
+
+sf_status sfi_stand_weigh_given(const sf_stand *stand, sf_mesh_view mesh, sf_task *task,
+                                sf_body *body)
+{
+    sf_lattice lattice;
+    sf_grid *solid = NULL;
+    SF_TRY(sf_mesh_body(mesh, 1, body));
+    if (stand->options.density == NULL) {
+        return SF_OK;
+    }
+    SF_TRY(sfi_stand_lattice(stand, mesh, &lattice));
+    SF_TRY(sf_grid_create(&lattice, &stand->allocator, &solid));
+    sf_status status = weigh_voxels(stand, mesh, task, solid, body);
+    sf_grid_destroy(solid);
+    return status;
+}
+
 // --- What is carried along -----------------------------------------------------------------------
 
 sf_status sfi_stand_carry(const sf_stand *stand, double mass, const double rest[3], double *scratch,

@@ -88,7 +88,7 @@ typedef struct sf_stand_report {
     int succeeded;            /**< 1: it is safe, and bending has neither folded it over nor sunk it
                                    into the ground by more than a ten-thousandth of its size */
     double margin_rad;        /**< the margin, as sf_stance_judge() gives it: the least */
-    double margin_before_rad; /**< of the solid as it was given */
+    double margin_before_rad; /**< of the solid as it was given, densities included */
     double bound_rad;         /**< standing alone: no carving of the shape as it was given has a
                                    better margin, were voxels carved by any fraction, support-free
                                    or not; 90 degrees where nothing was carved, where handles were
@@ -124,13 +124,14 @@ typedef struct sf_stand_report {
  * @param handle_count  how many; 0 where it is not to be bent, and at most SF_HANDLE_MAX - 1
  * @param options       NULL for the default
  * @param allocator     for all memory: the mesh twice, 8 bytes a vertex and handle, three grids,
- * the weights; NULL for the C library's
+ * the weights, and with densities 4 bytes a voxel; NULL for the C library's
  * @param task          NULL, or progress, cancel and threads
  * @param stand         receives the shape
  * @param fault         NULL, or receives a sentence on failure
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options out of range or without their
  * struct_size, a number of stances or handles out of range, what sf_mesh_validate() and
- * sf_stance_create() refuse, a base among the handles; SF_ERR_UNSUPPORTED: a mesh that is open or
+ * sf_stance_create() refuse, a base among the handles, a density that is not above 0 or not finite;
+ * SF_ERR_UNSUPPORTED: a mesh that is open or
  * inside out, a rule that does not serve; SF_ERR_INFEASIBLE: a handle outside the shape, or two
  * that touch, also the one that holds still; SF_ERR_OVERFLOW: a coordinate beyond 1e12, more voxels
  * along an axis than a lattice has; SF_ERR_MEMORY; SF_ERR_CANCELLED.
@@ -233,6 +234,15 @@ SF_API sf_mesh_view sf_stand_cavity(const sf_stand *stand);
  * @cost constant.   @threads any, while no round runs.   @since 0.2
  */
 SF_API const sf_grid *sf_stand_grid(const sf_stand *stand);
+
+/**
+ * What 1 mm3 weighs in each voxel of sf_stand_grid(), in (layer, y, x) order, with those that were
+ * carved; NULL where that is 1 everywhere, and before the first round.
+ *
+ * @return the array, valid until the next round; it means nothing where the shape was empty.
+ * @cost constant.   @threads any, while no round runs.   @since 0.2
+ */
+SF_API const float *sf_stand_density(const sf_stand *stand);
 
 /**
  * A stance of the shape as it is; NULL for one that there is not.

@@ -97,21 +97,67 @@ static void what_weighs_is_counted_again(void)
 static void nonsense_is_refused(void)
 {
     const double values[] = {0, -1, NAN, INFINITY, 1e-300, 1e300};
+    sf_stance_options stance = sf_stance_options_default();
     for (int carve = 0; carve < 2; carve++) {
         for (int i = 0; i < 6; i++) {
             double value = values[i];
             sf_stand_options o = options_of(1, SF_CARVE_PLANE);
+            sf_mesh *mesh = bottle(0.3);
+            sf_stand *stand = NULL;
             o.pitch_mm = 3;
             o.carve = carve;
             o.density = nonsense;
             o.density_user = &value;
-            sf_stand *stand = make_with(&o, NULL);
+            CHECK_EQ(sf_stand_create(sf_mesh_get_view(mesh), &stance, 1, NULL, 0, &o, NULL, NULL,
+                                     &stand, NULL),
+                     SF_ERR_ARGUMENT);
+            CHECK(stand == NULL);
+            sf_mesh_destroy(mesh);
+            value = 1;
+            stand = make_with(&o, NULL);
+            value = values[i]; // what was sane once may be no more
             CHECK_EQ(sf_stand_round(stand, NULL, NULL), SF_ERR_ARGUMENT);
             CHECK(sf_stand_describe(stand).rounds == 0 && sf_stand_grid(stand) == NULL);
+            CHECK(sf_stand_density(stand) == NULL);
             value = 2;
             CHECK_EQ(sf_stand_round(stand, NULL, NULL), SF_OK);
+            CHECK(sf_stand_density(stand) != NULL);
             sf_stand_destroy(stand);
         }
+    }
+}
+
+static double heavy_top(void *user, const double p[3])
+{
+    const double *density = user;
+    return p[2] > 10 ? density[1] : density[0];
+}
+
+// The balance before anything is done is that of the densities: a column of 10 x 10 x 20 mm whose
+// upper half stands 3 mm aside.
+static void the_start_is_weighed_as_it_is(void)
+{
+    static const double boxes[2][2][3] = {{{0, 0, 0}, {10, 10, 10}}, {{3, 0, 10}, {13, 10, 20}}};
+    const double densities[3][2] = {{1, 1}, {1, 4}, {0.5, 8}};
+    sf_stance_options stance = sf_stance_options_default();
+    for (int i = 0; i < 3; i++) {
+        sf_stand_options o = options_of(0, SF_CARVE_PLANE);
+        sf_stand *stand = NULL;
+        double at[2] = {densities[i][0], densities[i][1]}, whole = at[0] + at[1];
+        s.vertex_count = s.triangle_count = 0;
+        shape_box(&s, boxes[0][0], boxes[0][1], 0);
+        shape_box(&s, boxes[1][0], boxes[1][1], 0);
+        o.density = i > 0 ? heavy_top : NULL;
+        o.density_user = at;
+        CHECK_EQ(sf_stand_create(shape_view(&s), &stance, 1, NULL, 0, &o, NULL, NULL, &stand, NULL),
+                 SF_OK);
+        sf_stand_report r = sf_stand_describe(stand);
+        double x = (5 * at[0] + 8 * at[1]) / whole, z = (5 * at[0] + 15 * at[1]) / whole;
+        CHECK_NEAR(r.mass, 1000 * whole, 1e-6 * whole);
+        CHECK_NEAR(r.com_before_mm[0], x, 1e-6);
+        CHECK_NEAR(r.com_before_mm[2], z, 1e-6);
+        CHECK_NEAR(r.margin_before_rad, atan2(10 - x, z), 1e-6); // over the edge at x = 10
+        sf_stand_destroy(stand);
     }
 }
 
@@ -172,6 +218,7 @@ int main(void)
     TEST(densities_come_in_one_pass);
     TEST(what_weighs_is_counted_again);
     TEST(nonsense_is_refused);
+    TEST(the_start_is_weighed_as_it_is);
     TEST(what_hangs_is_counted_again);
     return test_finish();
 }

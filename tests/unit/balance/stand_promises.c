@@ -113,8 +113,15 @@ static void cancelled_it_goes_on(void)
     sf_stand_destroy(whole);
 }
 
-// Every request for memory that can fail does, once, here and there among the first thousands.
-static void memory_may_fail(void)
+static double denser_above(void *user, const double p[3])
+{
+    (void)user;
+    return p[2] > 20 ? 1.75 : 0.5;
+}
+
+// Every request for memory that can fail does, once, here and there among the first thousands; and
+// those before the first round one by one, where there are densities.
+static void memory_may_fail(int dense)
 {
     sf_mesh *mesh = bottle(0.3);
     sf_handle handles[3];
@@ -123,9 +130,10 @@ static void memory_may_fail(void)
     o.pitch_mm = 3;
     o.wall_mm = 1;
     o.rounds_max = 2;
+    o.density = dense ? denser_above : NULL;
     size_t count = handles_of(0.3, handles);
     sf_status status = SF_ERR_MEMORY;
-    for (long k = 0; status == SF_ERR_MEMORY && k < 100000; k += 1 + k / 20) {
+    for (long k = 0; status == SF_ERR_MEMORY && k < 100000; k += 1 + (dense ? k / 200 : k / 20)) {
         failing_allocator failing;
         sf_stand *stand = NULL;
         failing_begin(&failing, k);
@@ -142,11 +150,17 @@ static void memory_may_fail(void)
     sf_mesh_destroy(mesh);
 }
 
+static void memory_may_fail_anywhere(void)
+{
+    memory_may_fail(0);
+    memory_may_fail(1);
+}
+
 int main(void)
 {
     TEST(nonsense_is_refused);
     TEST(a_wall_thicker_than_the_part);
     TEST(cancelled_it_goes_on);
-    TEST(memory_may_fail);
+    TEST(memory_may_fail_anywhere);
     return test_finish();
 }
