@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Drain holes of a model that was made to stand.
 //
-// A hole takes weight out of the wall, so the stances judge the model again with its holes. Holes
+// A hole takes weight out of the wall, what the wall weighs there, so the stances judge the model
+// again with its holes. Holes
 // are voxels and the outside is triangles: what is written beside both is the cavity with its holes
 // as one body, which a slicer takes from the outside; the holes of that body go on a voxel beyond
 // it.
@@ -10,6 +11,7 @@
 
 #include "describe.h"
 #include "hollow_mesh.h"
+#include "place.h"
 #include "progress.h"
 #include "turned.h"
 
@@ -35,10 +37,10 @@ static sf_status copy(const sf_grid *from, sf_grid **to)
     return status;
 }
 
-// What the model weighs, in a unit in which its matter is 1.
+// What the model weighs.
 static sf_body body_of(const model *m)
 {
-    sf_body made = {m->report.mass / m->densities.all, {0, 0, 0}};
+    sf_body made = {m->report.mass, {0, 0, 0}};
     for (int i = 0; i < 3; i++) {
         made.moment[i] = made.mass * m->report.com_mm[i];
     }
@@ -49,9 +51,10 @@ static sf_body body_of(const model *m)
 static sf_status weigh(model *m, drilled *d)
 {
     sf_body before, after;
-    sf_status status = sf_grid_body(sf_stand_grid(m->stand), NULL, NULL, &before);
+    sf_status status =
+        sf_grid_body(sf_stand_grid(m->stand), sf_stand_density(m->stand), NULL, &before);
     if (status == SF_OK) {
-        status = sf_grid_body(d->after, NULL, NULL, &after);
+        status = sf_grid_body(d->after, sf_stand_density(m->stand), NULL, &after);
     }
     if (status == SF_OK) {
         after = sf_body_add(sf_body_add(body_of(m), -1, before), 1, after);
@@ -87,6 +90,7 @@ static exit_status drill(cli_job *job, model *m, const sf_terms *terms)
     o.diameter_mm = job->options.drain_mm;
     o.count = job->options.drain_count;
     o.fill = 1;
+    o.density = sf_stand_density(m->stand);
     o.body = body_of(m);
     o.stances = all;
     o.stance_count = m->stances.count;
@@ -144,7 +148,12 @@ exit_status stand_drill_mesh(cli_job *job, const model *m, sf_mesh **mesh)
 // Words
 // ---------------------------------------------------------------------------------------------
 
-static void report_drain(const cli_job *job, const sf_drain *d)
+static double volume_of(const model *m, uint64_t voxels)
+{
+    return (double)voxels * place_voxel_mm3(m->drilled.after);
+}
+
+static void report_drain(const cli_job *job, const model *m, const sf_drain *d)
 {
     double from[3], to[3];
     turned_to_input(job, d->from_mm, from);
@@ -152,7 +161,8 @@ static void report_drain(const cli_job *job, const sf_drain *d)
     report_begin(job->report, NULL);
     report_numbers(job->report, "from_mm", from, 3);
     report_numbers(job->report, "to_mm", to, 3);
-    report_number(job->report, "volume_mm3", d->body.mass);
+    report_number(job->report, "volume_mm3", volume_of(m, d->voxels));
+    report_number(job->report, "mass", d->body.mass);
     report_end(job->report);
 }
 
@@ -166,7 +176,7 @@ static void say(cli_job *job, const model *m)
         "is %.2f degrees%s.",
         (unsigned long long)done->drained_count, (unsigned long long)done->void_count,
         (unsigned long long)done->drain_count, done->drain_count == 1 ? "" : "s",
-        job->options.drain_mm, describe_mm3(done->removed.mass, volume),
+        job->options.drain_mm, describe_mm3(volume_of(m, done->removed_voxels), volume),
         m->drilled.margin_rad * DEGREES,
         m->drilled.safe || !m->report.safe ? "" : ", less than was asked for");
     if (done->filled_count > 0) {
@@ -196,13 +206,14 @@ void stand_drill_report(cli_job *job, const model *m)
     report_count(r, "open", d->report.drained_count);
     report_count(r, "filled", d->report.filled_count);
     report_count(r, "closed", d->report.closed_count);
-    report_number(r, "volume_mm3", d->report.removed.mass);
+    report_number(r, "volume_mm3", volume_of(m, d->report.removed_voxels));
+    report_number(r, "mass", d->report.removed.mass);
     report_number(r, "margin_deg", d->margin_rad * DEGREES);
     report_flag(r, "safe", d->safe);
     report_numbers(r, "com_mm", there, 3);
     report_begin_list(r, "holes");
     for (uint64_t i = 0; i < d->report.drain_count && i < DRAINS_MAX; i++) {
-        report_drain(job, &d->drains[i]);
+        report_drain(job, m, &d->drains[i]);
     }
     report_end(r);
     report_end(r);

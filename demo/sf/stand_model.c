@@ -98,11 +98,6 @@ exit_status model_read(cli_job *job, model *m)
         m->lattice = sf_grid_lattice(m->part.grid);
         status = densities_read(job, &m->part, &m->densities);
     }
-    if (status == EXIT_GOOD && m->densities.each != NULL && job->options.drain_mm > 0) {
-        return job_fail(job, EXIT_USAGE,
-                        "Holes are weighed with one density: leave out --drain, or give --density "
-                        "as a number.");
-    }
     if (status == EXIT_GOOD && sf_mesh_bounds(sf_mesh_get_view(m->part.mesh), low, high) == SF_OK) {
         for (int i = 0; i < 3; i++) {
             m->size_mm = fmax(m->size_mm, high[i] - low[i]);

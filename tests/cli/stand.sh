@@ -273,8 +273,24 @@ END
 exits 0 stand block.obj --resolution 40 --no-carve --no-deform --density density.json --json
 near "$(value com_mm.2)" 7.5 1e-6 "with a heavy half the centre of mass is lower"
 near "$(value mass)" 48000 1e-3 "and it weighs what its halves do"
+near "$(value com_before_mm.2)" 7.5 1e-6 "as it was at first"
+near "$(value margin_before_deg)" 63.4349 1e-3 "and so is the margin at first" # atan(15 / 7.5)
 exits 0 stand block.obj --rest --density density.json --json
 near "$(value rest.height_mm)" 7.5 1e-6 "also where it rests"
+
+# Holes are weighed with what is drilled out: a file that says 2 everywhere is the number 2, and
+# where the floor weighs three times as much its holes do.
+exits 0 stand tower.obj --wall 1 --resolution 40 --density 2 --drain 2 --json
+number="$(value drained.open) $(value drained.volume_mm3)" com=$(value drained.com_mm.0) mass=$(value drained.mass)
+near "$mass" "$(awk -v v="$(value drained.volume_mm3)" 'BEGIN { print 2 * v }')" 1e-6 "holes of a density of 2 weigh twice their volume"
+echo '{"format": "libsf-density", "version": 1, "density": 2}' >even.json
+exits 0 stand tower.obj --wall 1 --resolution 40 --density even.json --drain 2 --json
+same "$(value drained.open) $(value drained.volume_mm3)" "$number" "a file that says the same drills the same holes"
+near "$(value drained.com_mm.0)" "$com" 1e-9 "and the centre of mass is there with them"
+echo '{"format": "libsf-density", "version": 1, "regions": [{"box": {"low": [-99, -99, -99], "high": [99, 99, 4]}, "density": 3}]}' >floor.json
+exits 0 stand light.obj --wall 2 --gamma 0 --no-deform --resolution 40 --density floor.json --drain 2 --json
+near "$(value drained.mass)" "$(awk -v v="$(value drained.volume_mm3)" 'BEGIN { print 3 * v }')" 1e-6 "holes through a heavy floor weigh that ($(value drained.volume_mm3) mm3)"
+near "$(value drained.holes.0.mass)" "$(awk -v v="$(value drained.holes.0.volume_mm3)" 'BEGIN { print 3 * v }')" 1e-6 "each of them"
 
 # A number says how heavy all of it is, and takes no longer; one that voxels cannot hold is refused.
 exits 0 stand tower.obj --wall 1 --resolution 40 --density 2 --json
