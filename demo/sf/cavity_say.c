@@ -98,8 +98,8 @@ static void say_support(report *r, const change *done)
     } else {
         report_say(
             r,
-            "%s of it nothing carried before, and nothing does now; everything else is "
-            "carried as it was.",
+            "%s hung in the air before hollowing, and still need supports; hollowing adds nothing "
+            "that does.",
             describe_mm3((double)done->accepted_voxels * place_voxel_mm3(done->after), hung));
     }
 }
