@@ -7,6 +7,7 @@
 
 #include "densities.h"
 
+#include "json_read.h"
 #include "progress.h"
 
 #include <errno.h>
@@ -26,8 +27,6 @@ static exit_status fail(cli_job *job, exit_status status, const char *what)
 
 #ifdef SF_HAVE_JANSSON
 
-#include <jansson.h>
-
 #define REGIONS_MAX 1024
 
 // What the file says, in build axes.
@@ -38,27 +37,9 @@ typedef struct plan {
     sf_mesh *meshes[REGIONS_MAX]; // of regions that have one
 } plan;
 
-static int get_number(const json_t *object, const char *key, double *value)
-{
-    const json_t *found = json_object_get(object, key);
-    if (json_is_number(found)) {
-        *value = json_number_value(found);
-    }
-    return found == NULL || json_is_number(found);
-}
-
-static int get_corner(const json_t *box, const char *key, double corner[3])
-{
-    const json_t *found = json_object_get(box, key);
-    for (size_t i = 0; i < 3; i++) {
-        const json_t *item = json_array_get(found, i);
-        corner[i] = json_number_value(item);
-        if (!json_is_number(item)) {
-            return 0;
-        }
-    }
-    return json_array_size(found) == 3;
-}
+static const char *const keys[] = {"format", "version", "density", "infill", "wall_mm", "regions"};
+static const char *const region_keys[] = {"density", "box", "mesh"};
+static const char *const box_keys[] = {"low", "high"};
 
 // A box stays one: the map only swaps and turns axes around, and scales.
 static void map_box(const sf_transform *map, const double a[3], const double b[3],
@@ -93,19 +74,22 @@ static exit_status read_region(cli_job *job, const part *p, const json_t *object
                                size_t i)
 {
     sf_density_region *region = &made->regions[i];
-    const json_t *box = json_object_get(object, "box");
-    const char *path = json_string_value(json_object_get(object, "mesh"));
+    const json_t *box = json_object_get(object, "box"), *mesh = json_object_get(object, "mesh");
     double a[3], b[3];
-    if (!get_number(object, "density", &region->density) || !(region->density > 0)) {
+    if (!json_has_only(object, region_keys, 3) || (box == NULL) == (mesh == NULL) ||
+        (mesh != NULL && !json_is_string(mesh))) {
+        return fail(job, EXIT_INPUT,
+                    "each region has a density, and a box or else a mesh, which is a path; and "
+                    "nothing else.");
+    }
+    if (!json_get_number(object, "density", &region->density) || !(region->density > 0)) {
         return fail(job, EXIT_INPUT, "each region needs a density above 0.");
     }
-    if ((box == NULL) == (path == NULL)) {
-        return fail(job, EXIT_INPUT, "each region is a box, or else a mesh.");
+    if (mesh != NULL) {
+        return read_mesh(job, p, json_string_value(mesh), made, i);
     }
-    if (path != NULL) {
-        return read_mesh(job, p, path, made, i);
-    }
-    if (!get_corner(box, "low", a) || !get_corner(box, "high", b)) {
+    if (!json_has_only(box, box_keys, 2) || json_object_size(box) != 2 ||
+        !json_get_triple(box, "low", a) || !json_get_triple(box, "high", b)) {
         return fail(job, EXIT_INPUT, "a box has two corners, low and high, of three numbers.");
     }
     map_box(&p->to_build, a, b, region);
@@ -118,12 +102,17 @@ static exit_status read_plan(cli_job *job, const part *p, const json_t *root, pl
     const json_t *regions = json_object_get(root, "regions");
     double version = 0;
     if (format == NULL || strcmp(format, "libsf-density") != 0 ||
-        !get_number(root, "version", &version) || version != 1) {
+        !json_get_number(root, "version", &version) || version != 1) {
         return fail(job, EXIT_INPUT, "format must be libsf-density, and version 1.");
     }
-    if (!get_number(root, "density", &made->options.density) ||
-        !get_number(root, "infill", &made->options.infill) ||
-        !get_number(root, "wall_mm", &made->wall_mm) || !(made->options.density > 0) ||
+    if (!json_has_only(root, keys, sizeof keys / sizeof keys[0])) {
+        return fail(job, EXIT_INPUT,
+                    "beside format and version there may be density, infill, wall_mm and regions, "
+                    "and nothing else.");
+    }
+    if (!json_get_number(root, "density", &made->options.density) ||
+        !json_get_number(root, "infill", &made->options.infill) ||
+        !json_get_number(root, "wall_mm", &made->wall_mm) || !(made->options.density > 0) ||
         !(made->options.infill > 0 && made->options.infill <= 1) || !(made->wall_mm >= 0)) {
         return fail(job, EXIT_INPUT,
                     "density is a number above 0, infill one above 0 and at most 1, wall_mm one "
