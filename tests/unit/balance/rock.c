@@ -5,9 +5,7 @@
 // rockers and bowls.
 
 #include "failing_allocator.h"
-#include "turn.h"
-
-#include <sf/stance.h>
+#include "verdict.h"
 
 #define RADIUS 50.0
 
@@ -47,19 +45,8 @@ static void make_bowl(soup *s, const double axes[3], int is_random)
 static sf_stance *rocking(soup *s, const sf_stance_options *given)
 {
     sf_stance_options options = *given;
-    sf_stance *stance = NULL;
-    sf_fault fault = {SF_OK, 0, 0, ""};
     options.kind = SF_STANCE_ROCK;
-    CHECK_EQ(sf_stance_create(soup_view(s), &options, NULL, &stance, &fault), SF_OK);
-    CHECK_STR(fault.message, "");
-    return stance;
-}
-
-static sf_stance_verdict verdict_of(const sf_stance *stance, const double com[3])
-{
-    sf_stance_verdict v = {0, 0, {{0, 0, 0}, {0, 0, 0}}, 0, 0};
-    CHECK_EQ(sf_stance_judge(stance, com, &v), SF_OK);
-    return v;
+    return stance_of(s, &options);
 }
 
 // The largest tilt that it comes to rest in, from starts all over the range.

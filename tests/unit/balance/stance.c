@@ -4,27 +4,9 @@
 // contact by contact, whether the vertical through its centre of mass still meets what it stands
 // on. Hanging is held against the least energy over all orientations.
 
-#include "turn.h"
-
-#include <sf/stance.h>
+#include "verdict.h"
 
 enum { CONTACTS = 8, CORNERS_MAX = 64 };
-
-static sf_stance *stance_of(soup *s, const sf_stance_options *options)
-{
-    sf_stance *stance = NULL;
-    sf_fault fault = {SF_OK, 0, 0, ""};
-    CHECK_EQ(sf_stance_create(soup_view(s), options, NULL, &stance, &fault), SF_OK);
-    CHECK_STR(fault.message, "");
-    return stance;
-}
-
-static sf_stance_verdict verdict_of(const sf_stance *stance, const double com[3])
-{
-    sf_stance_verdict v = {0, 0, {{0, 0, 0}, {0, 0, 0}}, 0, 0};
-    CHECK_EQ(sf_stance_judge(stance, com, &v), SF_OK);
-    return v;
-}
 
 // ---------------------------------------------------------------------------------------------
 // Tilting
