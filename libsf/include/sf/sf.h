@@ -30,6 +30,7 @@
 #include <sf/stance.h>
 #include <sf/stand.h>
 #include <sf/support.h>
+#include <sf/tetra.h>
 #include <sf/voxel.h>
 #include <sf/weights.h>
 
