@@ -238,3 +238,13 @@ const sfi_leaf *sfi_tree_leaf(sfi_tree *tree, uint32_t piece, const double u[3])
     }
     return leaf_of(tree, node);
 }
+
+void sfi_tree_at(sfi_tree *tree, const sf_place *place, double value[SFI_TREE_WIDTH])
+{
+    double local[3];
+    const sfi_leaf *leaf = sfi_tree_leaf(tree, place->piece, place->u);
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        local[axis] = (place->u[axis] - leaf->origin[axis]) / leaf->size;
+    }
+    sfi_leaf_at(leaf, local, value, NULL);
+}

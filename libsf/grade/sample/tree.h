@@ -51,6 +51,9 @@ void sfi_tree_free(sfi_tree *tree);
 // The leaf of a piece that holds u, valid until the next call.
 const sfi_leaf *sfi_tree_leaf(sfi_tree *tree, uint32_t piece, const double u[3]);
 
+// The four numbers at a place.
+void sfi_tree_at(sfi_tree *tree, const sf_place *place, double value[SFI_TREE_WIDTH]);
+
 // The four numbers of a leaf at u, in its own parameters, from 0 to 1, and, unless NULL, their
 // derivatives by those: four by the first, four by the second, four by the third.
 void sfi_leaf_at(const sfi_leaf *leaf, const double u[3], double value[SFI_TREE_WIDTH],

@@ -181,12 +181,8 @@ int sfi_walk_to(sfi_walker *walker, const double point[3], sf_place *place, doub
         at.piece == SF_NO_PIECE) {
         return 0;
     }
-    double local[3], found[4];
-    const sfi_leaf *leaf = sfi_tree_leaf(&walker->tree, at.piece, at.u);
-    for (uint32_t axis = 0; axis < 3; axis++) {
-        local[axis] = (at.u[axis] - leaf->origin[axis]) / leaf->size;
-    }
-    sfi_leaf_at(leaf, local, found, NULL);
+    double found[SFI_TREE_WIDTH];
+    sfi_tree_at(&walker->tree, &at, found);
     *value = found[3];
     *place = at;
     return 1;

@@ -164,6 +164,123 @@ static void a_jump_is_exact_and_slices_do_not_depend_on_each_other(void)
     test_cage_free(&c);
 }
 
+// A kind of cage by its tetrahedra and straight from its limit: nearly the same voxels, and where
+// both have one nearly the same property.
+static void tetrahedra_come_to_the_same(void)
+{
+    uint64_t solid = 0, differ = 0, filled = 0;
+    double worst = 0;
+    for (int kind = 0; kind < 5; kind += 4) {
+        test_cage c = kind_of(kind);
+        if (kind > 0) {
+            test_cage straight = test_cage_wheel(8, 3, 0);
+            memcpy(c.positions, straight.positions, 3 * c.points * sizeof *c.positions);
+            test_cage_free(&straight);
+        }
+        sf_cage *cage = test_cage_make(&c);
+        sf_refine_options options = sf_refine_options_default();
+        options.steps = 4;
+        sf_refinement *r = NULL;
+        sf_tets *tets = NULL;
+        sf_sampler *a = NULL, *b = NULL;
+        sf_grid *grid = NULL, *other = NULL;
+        size_t zero = 0;
+        sf_lattice l = lattice_around(&c, 0.08);
+        sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+        CHECK_EQ(sf_refine(cage, &options, NULL, NULL, &r), SF_OK);
+        CHECK_EQ(sf_tets_of_refinement(r, 4, NULL, &tets), SF_OK);
+        a = sampler_of(limit, &l, 1);
+        CHECK_EQ(sf_sampler_of_tets(tets, &l, 1, &zero, NULL, &b, NULL), SF_OK);
+        CHECK_EQ(sf_grid_create(&l, NULL, &grid), SF_OK);
+        CHECK_EQ(sf_grid_create(&l, NULL, &other), SF_OK);
+        double *p = calloc((size_t)l.nx * l.ny, sizeof *p), *q = calloc((size_t)l.nx * l.ny, 8);
+        for (uint32_t k = l.nz; k-- > 0;) {
+            sf_slice s = sf_grid_slice(grid, k), t = sf_grid_slice(other, k);
+            CHECK_EQ(sf_sampler_slice(a, k, s, &p), SF_OK);
+            CHECK_EQ(sf_sampler_slice(b, k, t, &q), SF_OK);
+            for (uint32_t i = 0; i < l.nx * l.ny; i++) {
+                int x = bit(s, i % l.nx, i / l.nx), y = bit(t, i % l.nx, i / l.nx);
+                differ += x != y;
+                worst = x && y ? fmax(worst, fabs(p[i] - q[i])) : worst;
+            }
+        }
+        sf_sample_report report;
+        CHECK_EQ(sf_sampler_report(b, &report), SF_OK);
+        solid += report.solid;
+        filled += report.filled;
+        free(p);
+        free(q);
+        sf_grid_destroy(grid);
+        sf_grid_destroy(other);
+        sf_sampler_destroy(a);
+        sf_sampler_destroy(b);
+        sf_tets_destroy(tets);
+        sf_refinement_destroy(r);
+        sf_limit_destroy(limit);
+        sf_cage_destroy(cage);
+        test_cage_free(&c);
+    }
+    printf("# of %llu voxels %llu differ, properties of 0 to 1 at most %.2g apart; %llu filled\n",
+           (unsigned long long)solid, (unsigned long long)differ, worst,
+           (unsigned long long)filled);
+    CHECK(solid > 10000 && differ < solid / 200 && worst < 0.01 && filled < solid / 1000);
+}
+
+// One tetrahedron whose property is linear: what is interpolated is known everywhere.
+static void a_tetrahedron_is_interpolated_and_flat_ones_are_nothing(void)
+{
+    static const double points[15] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 2, 2, 0};
+    static const uint32_t corners[8] = {0, 1, 2, 3, 0, 1, 4, 2}; // the second is flat
+    double values[5];
+    for (int i = 0; i < 5; i++) {
+        values[i] = 1 + points[3 * i] + 2 * points[3 * i + 1] + 3 * points[3 * i + 2];
+    }
+    sf_channel density = {sf_property_density(), 5, values, NULL};
+    sf_tets_view view = {5, points, 2, corners, 1, &density};
+    sf_tets *tets = NULL;
+    sf_sampler *sampler = NULL;
+    sf_grid *grid = NULL;
+    size_t zero = 0, one = 1;
+    sf_lattice l = {41, 41, 41, 0.1, 0.1, 0.1, NULL, {0.003, 0.004, 0.005}};
+    CHECK_EQ(sf_tets_create(&view, NULL, &tets, NULL), SF_OK);
+    CHECK_EQ(sf_sampler_of_tets(tets, &l, 1, &one, NULL, &sampler, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_sampler_of_tets(tets, &l, 1, &zero, NULL, &sampler, NULL), SF_OK);
+    CHECK_EQ(sf_grid_create(&l, NULL, &grid), SF_OK);
+    double *p = calloc(41 * 41, sizeof *p);
+    for (uint32_t k = 0; k < 41; k += 4) {
+        sf_slice s = sf_grid_slice(grid, k);
+        CHECK_EQ(sf_sampler_slice(sampler, k, s, &p), SF_OK);
+        for (uint32_t i = 0; i < 41 * 41; i++) {
+            double x = 0.003 + 0.1 * (i % 41 + 0.5), y = 0.004 + 0.1 * (i / 41 + 0.5);
+            double z = 0.005 + 0.1 * (k + 0.5);
+            if (x + y + z < 3.99) {
+                CHECK(bit(s, i % 41, i / 41));
+                CHECK_NEAR(p[i], 1 + x + 2 * y + 3 * z, 1e-12);
+            } else if (x + y + z > 4.01) {
+                CHECK(!bit(s, i % 41, i / 41) && p[i] == 0);
+            }
+        }
+    }
+    free(p);
+    sf_grid_destroy(grid);
+    sf_sampler_destroy(sampler);
+    sampler = NULL;
+    for (long k = 0;; k++) {
+        failing_allocator memory;
+        failing_begin(&memory, k);
+        sf_status status =
+            sf_sampler_of_tets(tets, &l, 1, &zero, &memory.allocator, &sampler, NULL);
+        sf_sampler_destroy(sampler);
+        sampler = NULL;
+        CHECK(memory.live == 0 && memory.faults == 0);
+        if (status == SF_OK) {
+            break;
+        }
+        CHECK_EQ(status, SF_ERR_MEMORY);
+    }
+    sf_tets_destroy(tets);
+}
+
 static void what_cannot_be_sampled_is_refused(void)
 {
     test_cage c = kind_of(0), flat = test_cage_begin(2, 4, 1, 4);
@@ -223,6 +340,8 @@ int main(void)
 {
     TEST(voxels_are_what_a_search_finds);
     TEST(a_jump_is_exact_and_slices_do_not_depend_on_each_other);
+    TEST(tetrahedra_come_to_the_same);
+    TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
     TEST(what_cannot_be_sampled_is_refused);
     return test_finish();
 }

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// What voxels of tetrahedra are: interpolated in those that a slice meets.
+//
+// Tetrahedra are put into bins by the lowest layer whose middle they reach. A slice looks at the
+// bins of its own layer and of as many below as the tallest tetrahedron reaches through. Within a
+// slice the shares of a tetrahedron's corners are linear along a row, so that the voxels it holds
+// are an interval. Solid voxels that none holds, by rounding, get what the next in their row has.
+
+#include "base/memory.h"
+#include "base/status.h"
+#include "grade/sample/sampler.h"
+#include "grade/tetra/faces.h"
+#include "voxel/slice.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double SLACK = 1e-9; // a share that much below 0 is taken for 0
+
+typedef struct rows {
+    sf_allocator allocator;
+    sf_tets_view tets;
+    sfi_faces faces;
+    size_t channels[SF_PROPERTY_MAX];
+    uint32_t layers, reach; // of the lattice; and through how many layers the tallest reaches
+    uint32_t *starts;       // of each layer where its tetrahedra begin
+    size_t binned;          // how many there are in all
+    uint32_t *bins;
+    sf_slice open; // solid voxels that nobody has told of yet
+    size_t open_words;
+} rows;
+
+static void destroy_rows(void *state)
+{
+    rows *r = state;
+    sf_allocator allocator = r->allocator;
+    sfi_faces_free(&r->faces);
+    sfi_free_array(&allocator, r->starts, (size_t)r->layers + 1, sizeof *r->starts);
+    sfi_free_array(&allocator, r->bins, r->tets.tet_count, sizeof *r->bins);
+    sfi_free_array(&allocator, r->open.words, r->open_words, sizeof *r->open.words);
+    sfi_free_array(&allocator, r, 1, sizeof *r);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Slices
+// ---------------------------------------------------------------------------------------------
+
+// The shares of a tetrahedron's corners as linear functions: at x, y, z of the first corner's
+// frame.
+typedef struct shares {
+    double origin[3];
+    double slopes[4][3];
+    double at[4]; // at the origin
+} shares;
+
+// Returns 0 for a flat one.
+static int find_shares(const sf_tets_view *v, size_t tet, shares *s)
+{
+    const uint32_t *c = v->corners + 4 * tet;
+    double e[3][3];
+    memcpy(s->origin, v->positions + 3 * (size_t)c[0], sizeof s->origin);
+    for (uint32_t i = 0; i < 3; i++) {
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            e[i][axis] = v->positions[3 * (size_t)c[i + 1] + axis] - s->origin[axis];
+        }
+    }
+    double det = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        const double *a = e[(i + 1) % 3], *b = e[(i + 2) % 3];
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            uint32_t u = (axis + 1) % 3, w = (axis + 2) % 3;
+            s->slopes[i + 1][axis] = a[u] * b[w] - a[w] * b[u];
+        }
+    }
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        det += e[0][axis] * s->slopes[1][axis];
+    }
+    if (!(fabs(det) > 0)) {
+        return 0;
+    }
+    s->at[0] = 1;
+    s->at[1] = s->at[2] = s->at[3] = 0;
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        for (uint32_t i = 1; i < 4; i++) {
+            s->slopes[i][axis] /= det;
+        }
+        s->slopes[0][axis] = -s->slopes[1][axis] - s->slopes[2][axis] - s->slopes[3][axis];
+    }
+    return 1;
+}
+
+// What a slice is to be told.
+typedef struct telling {
+    sf_sampler *s;
+    rows *rows;
+    double z;
+    double *const *values;
+} telling;
+
+static void tell_voxel(const telling *t, size_t tet, const double share[4], size_t at)
+{
+    for (size_t i = 0; i < t->s->channel_count; i++) {
+        const sf_channel *c = &t->rows->tets.channels[t->rows->channels[i]];
+        const uint32_t *which = (c->indices != NULL ? c->indices : t->rows->tets.corners) + 4 * tet;
+        double base = c->values[which[0]], sum = 0;
+        for (uint32_t j = 1; j < 4; j++) {
+            sum += share[j] * (c->values[which[j]] - base);
+        }
+        t->values[i][at] = base + sum;
+    }
+}
+
+// Voxels of a row from the first whose middle is not before `low` to the last not behind `high`.
+static int find_interval(const sf_lattice *l, double low, double high, uint32_t *from, uint32_t *to)
+{
+    double first = ceil((low - l->origin_mm[0]) / l->pitch_x_mm - 0.5 - 1e-6);
+    double last = floor((high - l->origin_mm[0]) / l->pitch_x_mm - 0.5 + 1e-6);
+    if (!(first < l->nx) || !(last >= 0) || !(first <= last)) {
+        return 0;
+    }
+    *from = first > 0 ? (uint32_t)first : 0;
+    *to = last < l->nx - 1 ? (uint32_t)last : l->nx - 1;
+    return 1;
+}
+
+static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, double low,
+                     double high)
+{
+    const sf_lattice *l = &t->s->lattice;
+    uint64_t *open = sfi_slice_row(t->rows->open, y);
+    double dy = sfi_middle(l, 1, y) - s->origin[1], dz = t->z - s->origin[2];
+    uint32_t from, to;
+    if (!find_interval(l, low, high, &from, &to)) {
+        return;
+    }
+    for (uint32_t x = from; x <= to; x++) {
+        double dx = sfi_middle(l, 0, x) - s->origin[0], share[4];
+        int within = (int)(open[x / 64] >> x % 64 & 1);
+        for (uint32_t i = 0; within && i < 4; i++) {
+            share[i] =
+                s->at[i] + s->slopes[i][0] * dx + s->slopes[i][1] * dy + s->slopes[i][2] * dz;
+            within = share[i] >= -SLACK;
+        }
+        if (within) {
+            open[x / 64] &= ~((uint64_t)1 << x % 64);
+            tell_voxel(t, tet, share, (size_t)l->nx * y + x);
+        }
+    }
+}
+
+// Where a row meets a tetrahedron: between the largest and the least of where its shares vanish.
+static void row_interval(const shares *s, double dy, double dz, double *low, double *high)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        double rest = s->at[i] + s->slopes[i][1] * dy + s->slopes[i][2] * dz + SLACK;
+        double slope = s->slopes[i][0];
+        if (slope > 0) {
+            double x = s->origin[0] - rest / slope;
+            *low = x > *low ? x : *low;
+        } else if (slope < 0) {
+            double x = s->origin[0] - rest / slope;
+            *high = x < *high ? x : *high;
+        } else if (rest < 0) {
+            *high = -INFINITY;
+        }
+    }
+}
+
+static void tell_tet(const telling *t, size_t tet)
+{
+    const sf_tets_view *v = &t->rows->tets;
+    const sf_lattice *l = &t->s->lattice;
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    shares s;
+    for (uint32_t i = 0; i < 4; i++) {
+        const double *p = v->positions + 3 * (size_t)v->corners[4 * tet + i];
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            low[axis] = p[axis] < low[axis] ? p[axis] : low[axis];
+            high[axis] = p[axis] > high[axis] ? p[axis] : high[axis];
+        }
+    }
+    if (high[2] < t->z || low[2] > t->z || !find_shares(v, tet, &s)) {
+        return;
+    }
+    double first = ceil((low[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 - 1e-6);
+    double last = floor((high[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 + 1e-6);
+    for (double y = first > 0 ? first : 0; y <= last && y < l->ny; y++) {
+        double from = low[0], to = high[0];
+        row_interval(&s, sfi_middle(l, 1, (uint32_t)y) - s.origin[1], t->z - s.origin[2], &from,
+                     &to);
+        if (from <= to + l->pitch_x_mm) {
+            tell_row(t, tet, &s, (uint32_t)y, from, to);
+        }
+    }
+}
+
+static int is_set(const uint64_t *words, uint32_t x)
+{
+    return (int)(words[x / 64] >> x % 64 & 1);
+}
+
+// Open voxels of a row between two that were told of, or an end of the row: each gets what the
+// nearer of the two has.
+static void fill_gap(const telling *t, const uint64_t *open, size_t offset, uint32_t left,
+                     uint32_t right)
+{
+    uint32_t nx = t->s->lattice.nx;
+    for (uint32_t x = left == nx ? 0 : left + 1; x < right && (left < nx || right < nx); x++) {
+        int from_left = right == nx || (left < nx && x - left <= right - x);
+        if (is_set(open, x)) {
+            sfi_copy_values(t->s, t->values, offset + (from_left ? left : right), offset + x);
+        }
+    }
+}
+
+static void fill_open(const telling *t, sf_slice solid)
+{
+    uint32_t nx = t->s->lattice.nx;
+    for (uint32_t y = 0; y < t->s->lattice.ny; y++) {
+        const uint64_t *open = sfi_slice_row(t->rows->open, y), *row = sfi_slice_row(solid, y);
+        uint32_t left = nx, count = 0; // the last voxel that was told of; open ones since
+        for (uint32_t x = 0; x <= nx; x++) {
+            if (x < nx && is_set(open, x)) {
+                count++;
+            } else if (x == nx || is_set(row, x)) {
+                if (count > 0) {
+                    fill_gap(t, open, (size_t)nx * y, left, x);
+                    t->s->report.filled += count;
+                }
+                left = x;
+                count = 0;
+            }
+        }
+    }
+}
+
+static sf_status tell(void *state, sf_sampler *s, uint32_t k, double z, sf_slice solid,
+                      double *const *values)
+{
+    rows *r = state;
+    telling t = {s, r, z, values};
+    for (uint32_t y = 0; y < s->lattice.ny; y++) {
+        memcpy(sfi_slice_row(r->open, y), sfi_slice_row(solid, y),
+               r->open.stride * sizeof(uint64_t));
+    }
+    uint32_t first = k > r->reach ? k - r->reach : 0;
+    for (uint32_t i = r->starts[first]; i < r->starts[k + 1]; i++) {
+        tell_tet(&t, r->bins[i]);
+    }
+    fill_open(&t, solid);
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Making
+// ---------------------------------------------------------------------------------------------
+
+// The lowest layer whose middle is not below z; nz if there is none.
+static uint32_t layer_from(const sf_sampler *s, double z)
+{
+    uint32_t low = 0, high = s->lattice.nz;
+    while (low < high) {
+        uint32_t k = low + (high - low) / 2;
+        if ((s->bottoms[k] + s->bottoms[k + 1]) / 2 < z) {
+            low = k + 1;
+        } else {
+            high = k;
+        }
+    }
+    return low;
+}
+
+// The layers whose middles a tetrahedron reaches: from *first up to, not including, what is
+// returned.
+static uint32_t layers_of(const sf_sampler *s, const sf_tets_view *v, size_t tet, uint32_t *first)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (uint32_t i = 0; i < 4; i++) {
+        double z = v->positions[3 * (size_t)v->corners[4 * tet + i] + 2];
+        low = z < low ? z : low;
+        high = z > high ? z : high;
+    }
+    *first = layer_from(s, low);
+    uint32_t end = layer_from(s, high);
+    int touches = end < s->lattice.nz && (s->bottoms[end] + s->bottoms[end + 1]) / 2 <= high;
+    return end + (touches ? 1 : 0);
+}
+
+static void fill_bins(const sf_sampler *s, rows *r)
+{
+    memset(r->starts, 0, ((size_t)r->layers + 1) * sizeof *r->starts);
+    for (size_t i = 0; i < r->tets.tet_count; i++) {
+        uint32_t first, end = layers_of(s, &r->tets, i, &first);
+        if (first < end) {
+            r->starts[first]++;
+            r->reach = end - 1 - first > r->reach ? end - 1 - first : r->reach;
+        }
+    }
+    uint32_t sum = 0;
+    for (uint32_t k = 0; k <= r->layers; k++) {
+        uint32_t here = r->starts[k];
+        r->starts[k] = sum;
+        sum += here;
+    }
+    for (size_t i = 0; i < r->tets.tet_count; i++) {
+        uint32_t first, end = layers_of(s, &r->tets, i, &first);
+        if (first < end) {
+            r->bins[r->starts[first]++] = (uint32_t)i;
+        }
+    }
+    memmove(r->starts + 1, r->starts, r->layers * sizeof *r->starts);
+    r->starts[0] = 0;
+}
+
+static sf_status fill(const sf_lattice *lattice, sf_sampler *s, rows *r, sf_fault *fault)
+{
+    const sf_allocator *allocator = &r->allocator;
+    size_t stride = sfi_row_words(lattice->nx);
+    r->layers = lattice->nz;
+    r->open_words = stride * lattice->ny;
+    r->starts = sfi_alloc_array(allocator, (size_t)r->layers + 1, sizeof *r->starts);
+    r->bins = sfi_alloc_array(allocator, r->tets.tet_count, sizeof *r->bins);
+    r->open.words = sfi_alloc_array(allocator, r->open_words, sizeof *r->open.words);
+    r->open.width = lattice->nx;
+    r->open.height = lattice->ny;
+    r->open.stride = stride;
+    if (r->starts == NULL || r->bins == NULL || r->open.words == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    fill_bins(s, r);
+    SF_TRY(sfi_faces_make(r->tets.corners, r->tets.tet_count, r->tets.point_count, allocator,
+                          &r->faces));
+    sf_mesh_view surface = {r->tets.positions, r->tets.point_count, r->faces.corners,
+                            r->faces.count};
+    return sfi_sampler_surface(s, lattice, surface, 0, fault);
+}
+
+sf_status sf_sampler_of_tets(const sf_tets *tets, const sf_lattice *lattice, size_t channel_count,
+                             const size_t *channels, const sf_allocator *allocator,
+                             sf_sampler **sampler, sf_fault *fault)
+{
+    sf_tets_view view = sf_tets_get_view(tets);
+    if (tets == NULL || sampler == NULL || (channel_count > 0 && channels == NULL) ||
+        channel_count > SF_PROPERTY_MAX) {
+        return SF_ERR_ARGUMENT;
+    }
+    for (size_t i = 0; i < channel_count; i++) {
+        if (channels[i] >= view.channel_count) {
+            return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "there is no property %zu",
+                                 channels[i]);
+        }
+    }
+    sf_allocator kept = sfi_allocator_or_default(allocator);
+    sf_sampler *made = NULL;
+    SF_TRY(sfi_sampler_begin(lattice, channel_count, &kept, &made, fault));
+    rows *r = sfi_alloc_array(&kept, 1, sizeof *r);
+    if (r == NULL) {
+        sf_sampler_destroy(made);
+        return SF_ERR_MEMORY;
+    }
+    memset(r, 0, sizeof *r);
+    r->allocator = kept;
+    r->tets = view;
+    if (channel_count > 0) {
+        memcpy(r->channels, channels, channel_count * sizeof *channels);
+    }
+    sfi_teller teller = {r, tell, destroy_rows};
+    made->teller = teller;
+    sf_status status = fill(lattice, made, r, fault);
+    if (status != SF_OK) {
+        sf_sampler_destroy(made);
+        return status;
+    }
+    *sampler = made;
+    return SF_OK;
+}
