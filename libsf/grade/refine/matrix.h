@@ -58,7 +58,7 @@ void sfi_matrix_end(sfi_matrix_maker *maker, sfi_matrix *matrix);
 
 void sfi_matrix_free(sfi_matrix *matrix);
 
-// out = matrix * in, for `width` numbers at each point, by blocks of rows on the task's threads.
+// out = matrix * in, for 1, 3 or 4 numbers at each point, by blocks of rows on the task's threads.
 // A row whose inputs are all equal gives just that. `out` is not `in`.
 void sfi_matrix_apply(const sfi_matrix *matrix, uint32_t width, const double *in, double *out,
                       sf_task *task);
