@@ -143,6 +143,8 @@ sf_status sfi_picture_write(sfi_picture_kind kind, sf_slice slice, sf_sink sink)
 sf_status sfi_picture_read(sfi_picture_kind kind, sf_source source, const sf_allocator *allocator,
                            const char *name, sf_slice slice, int check_only, sf_fault *fault)
 {
-    return (kind == SFI_PICTURE_PNG ? sfi_png_read : pbm_read)(source, allocator, name, slice,
-                                                               check_only, fault);
+    return (kind == SFI_PICTURE_PNG ? sfi_png_read
+            : kind == SFI_PICTURE_IDS
+                ? sfi_png_read_ids
+                : pbm_read)(source, allocator, name, slice, check_only, fault);
 }

@@ -12,6 +12,8 @@
 // A reader of version 1 would pass over bridges, which it does not know, and judge without them.
 #define SFI_STACK_VERSION 1
 #define SFI_STACK_VERSION_BRIDGED 2
+// Pictures have a palette, and a reader of version 2 takes them for grey.
+#define SFI_STACK_VERSION_MATERIALS 3
 #define SFI_STACK_BRIDGE_MAX 1e12
 #define SFI_STACK_PATTERN_PNG "layer_%05u.png"
 #define SFI_STACK_PATTERN_PBM "layer_%05u.pbm"

@@ -190,19 +190,26 @@ static sf_status read_root(const json_t *root, const sf_allocator *allocator,
         return document_fault(fault, SF_ERR_FORMAT, "format is not " SFI_STACK_FORMAT);
     }
     if (!get_count(root, "version", UINT32_MAX, &version) || version < SFI_STACK_VERSION ||
-        version > SFI_STACK_VERSION_BRIDGED) {
+        version > SFI_STACK_VERSION_MATERIALS) {
         return document_fault(fault, SF_ERR_UNSUPPORTED,
-                              "the version is neither 1 nor 2; a newer libsf wrote this stack");
+                              "the version is none of 1 to 3; a newer libsf wrote this stack");
     }
-    if (!is_text(root, "units", "mm") || !is_text(root, "solid", "white") ||
+    const char *solid = version == SFI_STACK_VERSION_MATERIALS ? "not 0" : "white";
+    if (!is_text(root, "units", "mm") || !is_text(root, "solid", solid) ||
         !is_text(root, "row_order", "top_is_max_y")) {
         return document_fault(fault, SF_ERR_UNSUPPORTED,
-                              "units must be mm, solid white, and row_order top_is_max_y");
+                              "units must be mm, solid white (not 0 with materials), and row_order "
+                              "top_is_max_y");
     }
     document->version = version;
     SF_TRY(read_lattice(root, allocator, document, fault));
     SF_TRY(read_rule(root, document, fault));
-    return read_layers(root, document, fault);
+    SF_TRY(read_layers(root, document, fault));
+    if (version == SFI_STACK_VERSION_MATERIALS && document->kind == SFI_PICTURE_PBM) {
+        return document_fault(fault, SF_ERR_FORMAT, "PBM has no palette to name materials by");
+    }
+    document->kind = version == SFI_STACK_VERSION_MATERIALS ? SFI_PICTURE_IDS : document->kind;
+    return SF_OK;
 }
 
 // --- the document itself -------------------------------------------------------------------------

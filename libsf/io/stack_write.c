@@ -18,7 +18,7 @@
 void sfi_stack_layer_name(sfi_picture_kind kind, uint32_t layer, char name[SFI_STACK_NAME_SIZE])
 {
     snprintf(name, SFI_STACK_NAME_SIZE,
-             kind == SFI_PICTURE_PNG ? SFI_STACK_PATTERN_PNG : SFI_STACK_PATTERN_PBM,
+             kind == SFI_PICTURE_PBM ? SFI_STACK_PATTERN_PBM : SFI_STACK_PATTERN_PNG,
              (unsigned)layer);
 }
 

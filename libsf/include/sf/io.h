@@ -197,9 +197,10 @@ SF_API SF_CHECKED sf_status sf_stack_write(const sf_grid *grid, const sf_stack_i
 /**
  * Read a stack back: the grid, its lattice, and the rule it was made under.
  *
- * Pictures may also be grey of 2 to 8 bits, as picture editors save them: half-way and above is
- * solid. Before memory is taken for the grid, every picture that stack.json claims must be there
- * with the claimed size. Fields of stack.json that are not known are passed over.
+ * Layers of materials (<sf/layers.h>) are read as what is solid. Pictures may also be grey of 2 to
+ * 8 bits, as picture editors save them: half-way and above is solid. Before memory is taken for the
+ * grid, every picture that stack.json claims must be there with the claimed size. Fields of
+ * stack.json that are not known are passed over.
  *
  * @param folder     where from; needs `open` and `close`
  * @param allocator  for the grid and for reading; NULL for the C library's
