@@ -21,6 +21,24 @@ extern "C" {
 /** Largest number of voxels of a lattice that is sampled: 2^40. */
 #define SF_SAMPLE_VOXEL_MAX ((uint64_t)1 << 40)
 
+/**
+ * A box that holds the shape of a limit of dimension 3, and is hardly larger.
+ *
+ * @param limit      the limit
+ * @param allocator  for scratch; NULL for the C library's
+ * @param task       progress, cancel; NULL for none
+ * @param low_mm     receives the lower corner
+ * @param high_mm    receives the upper one: no side is farther from the shape than a thousandth of
+ * the box's diagonal, unless the shape is very coarsely bent
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_UNSUPPORTED: a limit of dimension 2;
+ * SF_ERR_OVERFLOW: a surface of too many triangles; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost a microsecond or two for each vertex of the surface.   @threads any, while nobody updates
+ * the limit; one at a time for each allocator.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_limit_bounds(const sf_limit *limit, const sf_allocator *allocator,
+                                            sf_task *task, double low_mm[3], double high_mm[3]);
+
 /** How to sample. Make one with sf_sample_options_default(). */
 typedef struct sf_sample_options {
     size_t struct_size; /**< sizeof(sf_sample_options), set by sf_sample_options_default() */

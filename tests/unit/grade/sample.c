@@ -281,6 +281,32 @@ static void a_tetrahedron_is_interpolated_and_flat_ones_are_nothing(void)
     sf_tets_destroy(tets);
 }
 
+static void a_box_holds_the_shape_and_is_hardly_larger(void)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        test_cage c = kind_of(kind);
+        sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+        double low[3], high[3], least[3] = {1e9, 1e9, 1e9}, most[3] = {-1e9, -1e9, -1e9};
+        CHECK_EQ(sf_limit_bounds(limit, NULL, NULL, low, high), SF_OK);
+        for (int i = 0; i < 3000; i++) {
+            sf_place place = random_place(limit);
+            double p[3];
+            CHECK_EQ(sf_limit_positions(limit, 1, &place, NULL, NULL, p, NULL), SF_OK);
+            for (int axis = 0; axis < 3; axis++) {
+                CHECK(p[axis] >= low[axis] && p[axis] <= high[axis]);
+                least[axis] = fmin(least[axis], p[axis]);
+                most[axis] = fmax(most[axis], p[axis]);
+            }
+        }
+        for (int axis = 0; axis < 3; axis++) { // places at random are not the outermost
+            CHECK(least[axis] - low[axis] < 0.05 && high[axis] - most[axis] < 0.05);
+        }
+        CHECK_EQ(sf_limit_bounds(limit, NULL, NULL, NULL, high), SF_ERR_ARGUMENT);
+        sf_limit_destroy(limit);
+        test_cage_free(&c);
+    }
+}
+
 static void what_cannot_be_sampled_is_refused(void)
 {
     test_cage c = kind_of(0), flat = test_cage_begin(2, 4, 1, 4);
@@ -342,6 +368,7 @@ int main(void)
     TEST(a_jump_is_exact_and_slices_do_not_depend_on_each_other);
     TEST(tetrahedra_come_to_the_same);
     TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
+    TEST(a_box_holds_the_shape_and_is_hardly_larger);
     TEST(what_cannot_be_sampled_is_refused);
     return test_finish();
 }
