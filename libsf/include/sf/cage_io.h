@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Files of cages: control meshes in from Medit, MFEM and VTK, and out as VTK.
+//
+// As everywhere in libsf-io, readers and writers work on sources and sinks; sf_file and sf_save of
+// <sf/io.h> turn a path into them. What comes in is a cage of <sf/cage.h>, checked as every cage.
+
+#ifndef SF_CAGE_IO_H
+#define SF_CAGE_IO_H
+
+#include <sf/cage.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Cage file formats. */
+typedef enum sf_cage_format {
+    SF_CAGE_FORMAT_AUTO = 0,  /**< judge by the first words */
+    SF_CAGE_FORMAT_MEDIT = 1, /**< Medit .mesh, text, versions 1 to 4 */
+    SF_CAGE_FORMAT_MFEM = 2,  /**< MFEM .mesh, version 1.x, conforming */
+    SF_CAGE_FORMAT_VTK = 3    /**< legacy VTK, unstructured grid, text and binary */
+} sf_cage_format;
+
+/** What a reader expects and takes at most. Fill with sf_cage_read_options_default(). */
+typedef struct sf_cage_read_options {
+    size_t struct_size;    /**< sizeof(sf_cage_read_options) */
+    sf_cage_format format; /**< the format */
+    uint64_t bytes_max;    /**< most bytes read from the source */
+    size_t points_max;     /**< most points; beyond SF_CAGE_POINT_MAX it is that */
+    size_t corners_max;    /**< most corners of all cells; beyond SF_CAGE_POINT_MAX it is that */
+} sf_cage_read_options;
+
+/**
+ * The default options: any format, 8 GiB, SF_CAGE_POINT_MAX points and corners.
+ *
+ * @return the options, by value, with struct_size set.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API sf_cage_read_options sf_cage_read_options_default(void);
+
+/** What reading found besides the cage. */
+typedef struct sf_cage_reading {
+    sf_cage_format format; /**< the format of the file */
+    size_t turned_cells;   /**< cells that were inverted at every corner, and were turned */
+    size_t passed_over;    /**< elements of a lower dimension than the cage's, which it lacks */
+} sf_cage_reading;
+
+/**
+ * Read a cage from any source of bytes.
+ *
+ * Coordinates are taken as they are, as mm. Where a file has cells, its faces are passed over;
+ * where it has none, its faces are the cage, of dimension 2. A cell that is inverted at every one
+ * of its corners, as the wedges of one half of all programs are, is turned: its lower polygon
+ * becomes the upper one. Cells that are inverted in part are left to sf_cage_check(); faces are
+ * never turned. A cell is numbered, in sentences too, among the cells that the cage has, from 0.
+ *
+ * - Medit: Vertices, Tetrahedra, Prisms (or Wedges, or Pentahedra), Hexahedra, Triangles and
+ *   Quadrilaterals; Corners become sharp points, the Edges that Ridges names become creases, both
+ *   sharp for ever. Where the references of cells are not all the same, they become the property
+ *   "reference", one value for each cell. Other sections of the format are passed over.
+ * - MFEM: elements, vertices or nodes. Of nodes, the points are taken: what is curved between them
+ *   is not kept. Attributes become the property "attribute", as references do. Meshes with hanging
+ *   nodes are refused: faces that meet half a face have no common limit.
+ * - VTK: versions 2.0 to 5.1. Tetrahedra, wedges, hexahedra, voxels, prisms over five and six
+ *   corners; triangles, quads, pixels and polygons. Point data and cell data with one component are
+ *   properties under their names; cell data become one value for each cell. Data of several
+ *   components are passed over. What sf_cage_write_vtk() has written comes back as it was.
+ *
+ * A property of a foreign file has no unit, no bounds, and a UUID that is made of its name
+ * (version 8 of RFC 9562: the first 128 bits of the SHA-256 of "libsf property " and the name).
+ *
+ * No count in a file is believed: memory grows as the bytes come. Refused are pyramids, elements
+ * with curved edges of their own, a cell whose type disagrees with its number of corners, corners
+ * that name no point, numbers that are not finite, files that are cut short, and what
+ * sf_cage_create() refuses. To stop early, let the source return SF_ERR_CANCELLED.
+ *
+ * @param source     the file, read to its end
+ * @param options    NULL for sf_cage_read_options_default()
+ * @param allocator  for the cage and for reading; NULL for the C library's
+ * @param cage       where the new cage is left, to be destroyed by the caller; untouched on failure
+ * @param reading    NULL, or what was found; untouched on failure
+ * @param fault      NULL, or filled on failure: what is wrong, at which line (of text files) and
+ * byte, and what to do
+ * @return SF_OK; SF_ERR_FORMAT: the bytes are no cage; SF_ERR_UNSUPPORTED: a mesh that a cage
+ * cannot be; SF_ERR_OVERFLOW: more than the options allow; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL
+ * pointer or an unknown format; or what the source returned.
+ * @cost one pass over the file; memory for four times the cage.
+ * @threads any, on distinct sources; one at a time for each allocator.
+ * @source P. Frey, "MEDIT: An interactive mesh visualization software", 2001; the MFEM project,
+ * "MFEM mesh formats"; Kitware, "VTK file formats", legacy.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_cage_read(sf_source source, const sf_cage_read_options *options,
+                                         const sf_allocator *allocator, sf_cage **cage,
+                                         sf_cage_reading *reading, sf_fault *fault);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
