@@ -31,6 +31,17 @@ static const option_entry table[] = {
     {OPTION_DRAIN, "drain", 0, "MM[,N]",
      "drill a hole of that width (or N) into every void; fill what none fits into"},
     {OPTION_DENSITY, "density", 0, "D|FILE", "what 1 mm3 weighs, or a file that says more"},
+    {OPTION_PROPERTY, "property", 0, "NAME", "the property that materials are mixed for"},
+    {OPTION_MATERIALS, "materials", 0, "FILE",
+     "materials, and what mixtures of them were measured to be (default: two, from the least to "
+     "the "
+     "greatest value)"},
+    {OPTION_MASK, "mask", 0, "KIND",
+     "slice (default: even in each layer), isotropic (even in the solid) or diffuse (errors go "
+     "on)"},
+    {OPTION_STEPS, "steps", 0, "N", "steps of refinement, 1 to 6 (default 2)"},
+    {OPTION_SEPARABLE, "separable", 0, NULL,
+     "where the cage is extruded, cross sections are those of surfaces"},
     {OPTION_CAVITY, "cavity", 0, "MESH", "also write the cavity, holes included, by itself"},
     {OPTION_CUT, "cut", 0, "AXIS[,MM]",
      "also cut the written mesh across x, y or z into halves _low and _high (default: its middle)"},
@@ -221,6 +232,20 @@ int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made
     return check_together(made, message, message_size);
 }
 
+// What a verb takes, by the name of its argument.
+static const char *describe_input(const char *name)
+{
+    if (strcmp(name, "MESH") == 0) {
+        return "\nA MESH is an STL, OBJ, PLY or OFF file.\n";
+    }
+    if (strcmp(name, "CAGE") == 0) {
+        return "\nA CAGE is a mesh of cells with properties: legacy VTK, Medit .mesh or MFEM "
+               ".mesh.\n";
+    }
+    return "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that "
+           "sf wrote,\nor scene:garden, a scene that the program makes itself.\n";
+}
+
 void options_help(const cli_verb *verb, FILE *to)
 {
     fprintf(to, "sf %s: %s\n\nusage: sf %s [options] %s%s%s\n\n", verb->name, verb->purpose,
@@ -241,11 +266,7 @@ void options_help(const cli_verb *verb, FILE *to)
                 table[i].bit == OPTION_OUTPUT ? verb->output : table[i].help);
     }
     fprintf(to, "  %-29s %s\n\nexamples:\n%s", "-h, --help", "this text", verb->examples);
-    fputs(strcmp(verb->input, "MESH") == 0
-              ? "\nA MESH is an STL, OBJ, PLY or OFF file.\n"
-              : "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that "
-                "sf wrote,\nor scene:garden, a scene that the program makes itself.\n",
-          to);
+    fputs(describe_input(verb->input), to);
     if (verb->takes & OPTION_BRIDGE) {
         fputs("A stack brings its own rule, angle, bridges and bed; an option takes the place of "
               "one.\n",

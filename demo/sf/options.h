@@ -62,6 +62,14 @@
 #define OPTION_MAX_SHIFT (UINT64_C(1) << 48)
 #define OPTION_TURN (UINT64_C(1) << 49)
 #define OPTION_CUT (UINT64_C(1) << 50)
+#define OPTION_PROPERTY (UINT64_C(1) << 51)
+#define OPTION_MATERIALS (UINT64_C(1) << 52)
+#define OPTION_MASK (UINT64_C(1) << 53)
+#define OPTION_STEPS (UINT64_C(1) << 54)
+#define OPTION_SEPARABLE (UINT64_C(1) << 55)
+
+// How tones become materials.
+typedef enum cli_mask { CLI_MASK_SLICE, CLI_MASK_ISOTROPIC, CLI_MASK_DIFFUSE } cli_mask;
 
 typedef struct cli_options {
     uint64_t given; // OPTION_* that were on the command line
@@ -72,6 +80,7 @@ typedef struct cli_options {
     const char *cavity, *picture;       // files to write, or NULL
     const char *layers;                 // folder to write, or NULL
     const char *density;                // a number or a file, or NULL
+    const char *property, *materials;   // a name, a file; or NULL
     double pitch_mm[3];                 // x, y, layer
     uint32_t resolution;
     double angle_rad; // of the command line or of a stack; values_angle_deg() shows it
@@ -100,6 +109,8 @@ typedef struct cli_options {
     int steepest;
     uint32_t crumbs; // places of at most that many voxels are not named
     int printing;    // whether it is asked if it topples
+    cli_mask mask;
+    uint32_t steps; // of refinement
     stand_values stand;
 } cli_options;
 

@@ -193,7 +193,19 @@ static int parse_fill(const char *text, cli_options *made)
     return 0;
 }
 
-// Files that options name.
+static int parse_mask(const char *text, cli_options *made)
+{
+    static const char *const names[] = {"slice", "isotropic", "diffuse"};
+    for (int i = 0; i < 3; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            made->mask = (cli_mask)i;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// Files and names that options give.
 static int parse_file(uint64_t bit, const char *text, cli_options *made)
 {
     const char **place = bit == OPTION_OUTPUT        ? &made->output
@@ -204,6 +216,8 @@ static int parse_file(uint64_t bit, const char *text, cli_options *made)
                          : bit == OPTION_LAYERS      ? &made->layers
                          : bit == OPTION_PICTURE     ? &made->picture
                          : bit == OPTION_DENSITY     ? &made->density
+                         : bit == OPTION_PROPERTY    ? &made->property
+                         : bit == OPTION_MATERIALS   ? &made->materials
                                                      : &made->remove;
     *place = text;
     return text[0] != '\0';
@@ -235,6 +249,10 @@ static int parse_bounded(uint64_t bit, const char *text, cli_options *made)
         good = parse_count(text, 0, 1e9, &number);
         made->crumbs = good ? (uint32_t)number : 0;
         return good;
+    case OPTION_STEPS:
+        good = parse_count(text, 1, 6, &number);
+        made->steps = good ? (uint32_t)number : 0;
+        return good;
     case OPTION_SMOOTH:
         good = parse_count(text, 0, 100, &number);
         made->smooth = good ? (int)number : 0;
@@ -256,7 +274,11 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
     case OPTION_LAYERS:
     case OPTION_PICTURE:
     case OPTION_DENSITY:
+    case OPTION_PROPERTY:
+    case OPTION_MATERIALS:
         return parse_file(bit, text, made);
+    case OPTION_MASK:
+        return parse_mask(text, made);
     case OPTION_PITCH:
         return parse_pitch(text, made);
     case OPTION_BRIDGE:
@@ -315,6 +337,7 @@ cli_options values_default(void)
     made.pixels[1] = 900;
     made.count = 5;
     made.crumbs = 8;
+    made.steps = 2;
     made.stand = stand_values_default();
     return made;
 }

@@ -90,6 +90,15 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --up -y --rest\n",
       "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png"},
      verb_stand},
+    {{"grade", "a solid of mixed materials from a cage, as layers", "CAGE", 0,
+      OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |
+          OPTION_MEMORY | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK | OPTION_SEPARABLE |
+          HOST_OPTIONS,
+      "  sf grade cage.vtk -o graded\n"
+      "  sf grade cage.vtk --materials materials.json --pitch 0.0423,0.0846,0.027 -o graded\n"
+      "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
+      "folder for the layers"},
+     verb_grade},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
       "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},

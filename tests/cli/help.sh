@@ -14,14 +14,23 @@ END
 cat >handles.json <<'END'
 {"format": "libsf-handles", "version": 1, "handles": [{"at_mm": [28, 25, 36]}]}
 END
-for verb in run info check trim grow repair preserve hollow stand slice orient render; do
+cage cage.vtk 4 2 2
+cat >materials.json <<'END'
+{"format": "libsf-materials", "version": 1,
+ "materials": [{"name": "soft", "colour": "#2060c0", "density_g_cm3": 1.12},
+               {"name": "stiff", "colour": "#f0a020", "density_g_cm3": 1.18}],
+ "properties": ["stiffness"],
+ "mixtures": [{"fractions": [1, 0], "values": [0]}, {"fractions": [0.5, 0.5], "values": [0.2]},
+              {"fractions": [0, 1], "values": [1]}]}
+END
+for verb in run info check trim grow repair preserve hollow stand grade slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
     ok $? "$verb --help has examples"
     says=no
     grep -q 'stack of pictures that sf' stdout && says=yes
-    same $says "$(case $verb in orient | stand) echo no ;; *) echo yes ;; esac)" "$verb --help says whether it takes more than meshes"
+    same $says "$(case $verb in orient | stand | grade) echo no ;; *) echo yes ;; esac)" "$verb --help says whether it takes more than meshes"
     cp stdout asked
     run help $verb
     cmp -s stdout asked

@@ -56,6 +56,28 @@ box() {
     }' >"$1"
 }
 
+# cage FILE NX NY NZ: a block of unit cubes, as a VTK grid; the property stiffness goes from 0 to 1
+# along x.
+cage() {
+    awk -v block="$*" 'BEGIN {
+        split(block, b, " ")
+        nx = b[2]; ny = b[3]; nz = b[4]
+        points = (nx + 1) * (ny + 1) * (nz + 1); cells = nx * ny * nz
+        print "# vtk DataFile Version 3.0\na block\nASCII\nDATASET UNSTRUCTURED_GRID"
+        print "POINTS", points, "double"
+        for (z = 0; z <= nz; z++) for (y = 0; y <= ny; y++) for (x = 0; x <= nx; x++) print x, y, z
+        print "CELLS", cells, 9 * cells
+        for (z = 0; z < nz; z++) for (y = 0; y < ny; y++) for (x = 0; x < nx; x++) {
+            p = x + (nx + 1) * (y + (ny + 1) * z); q = p + (nx + 1) * (ny + 1)
+            print 8, p, p + 1, p + nx + 2, p + nx + 1, q, q + 1, q + nx + 2, q + nx + 1
+        }
+        print "CELL_TYPES", cells
+        for (i = 0; i < cells; i++) print 12
+        print "POINT_DATA", points, "\nSCALARS stiffness double 1\nLOOKUP_TABLE default"
+        for (i = 0; i < points; i++) print (i % (nx + 1)) / nx
+    }' >"$1"
+}
+
 needs_json() {
     if [ -z "$JSON_GET" ]; then
         echo "1..0 # SKIP jansson is not installed"

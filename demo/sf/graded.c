@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// Layer by layer: sample, mix, halftone, write.
+//
+// Nothing larger than a layer is ever held, whatever the size of the solid. The folder appears
+// whole or not at all.
+
+#include "graded.h"
+
+#include "lattice.h"
+#include "progress.h"
+
+#include <sf/io.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double MISS = 1e-9; // of the property's own size: what is rounding
+
+// Everything that one layer after the other goes through.
+typedef struct press {
+    cli_job *job;
+    materials *m;
+    graded *made;
+    sf_limit *limit;
+    sf_sampler *sampler;
+    sf_mask *mask; // NULL: the built-in one
+    sf_halftone *halftone;
+    sf_diffuser *diffuser;
+    sf_directory *directory;
+    sf_layers *layers;
+    sf_grid *grid; // of one layer: what is solid
+    double *values[MATERIALS_PROPERTIES_MAX];
+    double *tones[MATERIALS_MAX];
+    uint8_t *ids;
+} press;
+
+static void free_press(press *p)
+{
+    for (int i = 0; i < MATERIALS_PROPERTIES_MAX; i++) {
+        free(p->values[i]);
+    }
+    for (int i = 0; i < MATERIALS_MAX; i++) {
+        free(p->tones[i]);
+    }
+    free(p->ids);
+    sf_layers_end(p->layers);
+    sf_directory_close(p->directory);
+    sf_grid_destroy(p->grid);
+    sf_diffuser_destroy(p->diffuser);
+    sf_halftone_destroy(p->halftone);
+    sf_mask_destroy(p->mask);
+    sf_sampler_destroy(p->sampler);
+    sf_limit_destroy(p->limit);
+}
+
+static exit_status fail_call(cli_job *job, sf_status status, const sf_fault *fault)
+{
+    return job_fail_call(job, status, fault, job->options.input, EXIT_INPUT);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Setting up
+// ---------------------------------------------------------------------------------------------
+
+static exit_status set_up_shape(press *p, const sf_cage *cage, const size_t *channels)
+{
+    double low[3], high[3];
+    uint32_t lift;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_refine_rules rules =
+        p->job->options.given & OPTION_SEPARABLE ? SF_REFINE_SEPARABLE : SF_REFINE_STANDARD;
+    progress_phase("looking at the cage");
+    sf_status status = sf_limit_create(cage, rules, NULL, &p->job->task, &p->limit);
+    if (status == SF_OK) {
+        status = sf_limit_bounds(p->limit, NULL, NULL, low, high);
+    }
+    if (status == SF_ERR_UNSUPPORTED) {
+        return job_fail(p->job, EXIT_INPUT, "%s is a surface; only a solid can be graded.",
+                        p->job->options.input);
+    }
+    if (status != SF_OK) {
+        return fail_call(p->job, status, NULL);
+    }
+    exit_status chosen = lattice_choose(p->job, low, high, &p->made->lattice, &lift);
+    if (chosen != EXIT_GOOD) {
+        return chosen;
+    }
+    progress_phase("cutting the surface");
+    status = sf_sampler_create(p->limit, &p->made->lattice, NULL, p->m->property_count, channels,
+                               NULL, &p->job->task, &p->sampler, &fault);
+    (void)sf_sampler_surface(p->sampler, &p->made->surface_error_mm);
+    return status == SF_OK ? EXIT_GOOD : fail_call(p->job, status, &fault);
+}
+
+static sf_status set_up_mask(press *p)
+{
+    const sf_lattice *l = &p->made->lattice;
+    const double pitch[3] = {l->pitch_x_mm, l->pitch_y_mm, l->layer_mm};
+    if (p->job->options.mask == CLI_MASK_DIFFUSE) {
+        return sf_diffuser_create(l->nx, l->ny, p->m->count, pitch, NULL, &p->diffuser);
+    }
+    sf_mask_options how = sf_mask_options_default();
+    how.kind = p->job->options.mask == CLI_MASK_ISOTROPIC ? SF_MASK_ISOTROPIC : SF_MASK_SLICE;
+    memcpy(how.pitch_mm, pitch, sizeof pitch);
+    progress_phase("making the mask");
+    sf_status status = sf_mask_create(&how, NULL, &p->job->task, &p->mask);
+    return status == SF_OK ? sf_halftone_create(p->mask, p->m->count, NULL, &p->halftone) : status;
+}
+
+static int set_up_planes(press *p)
+{
+    const sf_lattice *l = &p->made->lattice;
+    size_t plane = (size_t)l->nx * l->ny;
+    sf_lattice one = *l;
+    int good = 1;
+    one.nz = 1;
+    for (size_t i = 0; i < p->m->property_count; i++) {
+        p->values[i] = malloc(plane * sizeof(double));
+        good = good && p->values[i] != NULL;
+    }
+    for (uint32_t i = 0; i < p->m->count; i++) {
+        p->tones[i] = malloc(plane * sizeof(double));
+        good = good && p->tones[i] != NULL;
+    }
+    p->ids = malloc(plane);
+    return good && p->ids != NULL && sf_grid_create(&one, NULL, &p->grid) == SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Layers
+// ---------------------------------------------------------------------------------------------
+
+static int is_solid(sf_slice s, uint32_t x, uint32_t y)
+{
+    return (int)(s.words[(size_t)y * s.stride + x / 64] >> x % 64 & 1);
+}
+
+// From properties to tones, voxel by voxel.
+static void mix(press *p, sf_slice solid)
+{
+    materials *m = p->m;
+    for (uint32_t y = 0; y < solid.height; y++) {
+        for (uint32_t x = 0; x < solid.width; x++) {
+            size_t at = (size_t)y * solid.width + x;
+            double wanted[MATERIALS_PROPERTIES_MAX], fractions[MATERIALS_MAX] = {0};
+            if (!is_solid(solid, x, y)) {
+                continue;
+            }
+            for (size_t i = 0; i < m->property_count; i++) {
+                wanted[i] = p->values[i][at];
+            }
+            double miss = materials_mix(m, wanted, fractions);
+            p->made->missed += miss > MISS * (1 + fabs(wanted[0]));
+            p->made->worst_miss = fmax(p->made->worst_miss, miss);
+            for (uint32_t i = 0; i < m->count; i++) {
+                p->tones[i][at] = fractions[i];
+                p->made->asked[i] += fractions[i];
+            }
+        }
+    }
+}
+
+static sf_status halftone(press *p, uint32_t k, sf_slice solid)
+{
+    sf_tone_plane planes[MATERIALS_MAX];
+    for (uint32_t i = 0; i + 1 < p->m->count; i++) {
+        sf_tone_plane plane = {p->tones[i], solid.width};
+        planes[i] = plane;
+    }
+    sf_tones tones;
+    memset(&tones, 0, sizeof tones);
+    tones.struct_size = sizeof tones;
+    tones.width = solid.width;
+    tones.height = solid.height;
+    tones.layer = k;
+    tones.type = SF_TONE_F64;
+    tones.planes = planes;
+    tones.solid = solid;
+    sf_materials to = {NULL, p->ids, solid.width, NULL};
+    return p->diffuser != NULL ? sf_diffuser_slice(p->diffuser, &tones, &to)
+                               : sf_halftone_slice(p->halftone, &tones, &to, NULL);
+}
+
+static exit_status press_layers(press *p)
+{
+    cli_job *job = p->job;
+    const sf_lattice *l = &p->made->lattice;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_slice solid = sf_grid_slice(p->grid, 0);
+    sf_status status = SF_OK;
+    progress_phase("grading");
+    for (uint32_t k = 0; status == SF_OK && k < l->nz; k++) {
+        status = sf_task_is_cancelled(&job->task)
+                     ? SF_ERR_CANCELLED
+                     : sf_sampler_slice(p->sampler, k, solid, p->values);
+        if (status == SF_OK) {
+            mix(p, solid);
+            status = halftone(p, k, solid);
+        }
+        if (status == SF_OK) {
+            status = sf_layers_add(p->layers, p->ids, l->nx, &fault);
+        }
+        if (job->task.progress != NULL) {
+            job->task.progress(job->task.user, (k + 1.0) / l->nz);
+        }
+    }
+    return status == SF_OK ? EXIT_GOOD : fail_call(job, status, &fault);
+}
+
+static exit_status publish(press *p, const char *path)
+{
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_layers_finish(p->layers, p->made->uses, &fault);
+    if (status == SF_OK) {
+        status = sf_directory_commit(p->directory, &fault);
+        p->directory = NULL;
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(p->job, status, &fault, path, EXIT_RESOURCE);
+}
+
+static exit_status run(press *p, const sf_cage *cage, const size_t *channels, const char *path)
+{
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    exit_status status = set_up_shape(p, cage, channels);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    sf_status made = set_up_mask(p);
+    if (made != SF_OK) {
+        return job_fail(p->job, EXIT_USAGE, "There is no mask for voxels of %g x %g x %g mm: %s",
+                        p->made->lattice.pitch_x_mm, p->made->lattice.pitch_y_mm,
+                        p->made->lattice.layer_mm, sf_status_message(made));
+    }
+    if (!set_up_planes(p)) {
+        return job_fail(p->job, EXIT_RESOURCE, "There is no memory for a layer.");
+    }
+    made = sf_directory_write(path, NULL, &p->directory, &fault);
+    if (made == SF_OK) {
+        made = sf_layers_begin(sf_directory_folder(p->directory), &p->made->lattice, p->m->count,
+                               p->m->table, NULL, &p->layers, &fault);
+    }
+    if (made != SF_OK) {
+        return job_fail_call(p->job, made, &fault, path, EXIT_RESOURCE);
+    }
+    status = press_layers(p);
+    if (status == EXIT_GOOD && sf_sampler_report(p->sampler, &p->made->voxels) == SF_OK) {
+        status = publish(p, path);
+    }
+    return status;
+}
+
+exit_status graded_write(cli_job *job, const sf_cage *cage, const size_t *channels, materials *m,
+                         const char *path, graded *made)
+{
+    press p;
+    memset(&p, 0, sizeof p);
+    memset(made, 0, sizeof *made);
+    p.job = job;
+    p.m = m;
+    p.made = made;
+    exit_status status = run(&p, cage, channels, path);
+    free_press(&p);
+    return status;
+}

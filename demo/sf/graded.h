@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// From a cage to layers of materials.
+
+#ifndef DEMO_SF_GRADED_H
+#define DEMO_SF_GRADED_H
+
+#include "materials.h"
+
+// What became of it.
+typedef struct graded {
+    sf_lattice lattice;
+    sf_sample_report voxels;
+    double surface_error_mm;
+    double asked[MATERIALS_MAX]; // sums of tones over solid voxels
+    sf_material_use uses[MATERIALS_MAX];
+    double worst_miss; // the farthest that a mixture is from what was wanted
+    uint64_t missed;   // voxels whose mixture is farther off than rounding
+} graded;
+
+// Slice a cage, mix, halftone, and write a folder of layers. `channels` are the properties that the
+// materials know, in their order.
+exit_status graded_write(cli_job *job, const sf_cage *cage, const size_t *channels, materials *m,
+                         const char *path, graded *made);
+
+#endif

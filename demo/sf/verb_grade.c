@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// sf grade: a solid of many materials, as layers for a printer that mixes them.
+
+#include "cages.h"
+#include "describe.h"
+#include "graded.h"
+#include "output.h"
+#include "verbs.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const mask_names[] = {"slice", "isotropic", "diffuse"};
+
+// ---------------------------------------------------------------------------------------------
+// Which property, which materials
+// ---------------------------------------------------------------------------------------------
+
+// The property that is meant where no file of materials says so.
+static exit_status the_property(cli_job *job, const sf_cage *cage, const char **name)
+{
+    sf_cage_view view = sf_cage_get_view(cage);
+    if (job->options.property != NULL) {
+        *name = job->options.property;
+        return EXIT_GOOD;
+    }
+    if (view.channel_count == 0) {
+        return job_fail(
+            job, EXIT_INPUT,
+            "%s has no properties: give its points or cells some (point or cell data of "
+            "VTK, references of Medit).",
+            job->options.input);
+    }
+    if (view.channel_count > 1) {
+        return job_fail(job, EXIT_USAGE,
+                        "%s has %zu properties, such as '%s' and '%s'; say which one "
+                        "with --property, or which mixtures with --materials.",
+                        job->options.input, view.channel_count, view.channels[0].property.name,
+                        view.channels[1].property.name);
+    }
+    *name = view.channels[0].property.name;
+    return EXIT_GOOD;
+}
+
+// Two materials from the least to the greatest value that a point has.
+static exit_status choose_two(cli_job *job, const sf_cage *cage, materials *m)
+{
+    const char *name = NULL;
+    size_t channel = 0;
+    exit_status status = the_property(job, cage, &name);
+    if (status == EXIT_GOOD) {
+        status = cages_find_property(job, cage, name, &channel);
+    }
+    if (status != EXIT_GOOD) {
+        return status;
+    }
+    const sf_channel *c = &sf_cage_get_view(cage).channels[channel];
+    double low = c->values[0], high = c->values[0];
+    for (size_t i = 0; i < c->value_count; i++) {
+        low = fmin(low, c->values[i]);
+        high = fmax(high, c->values[i]);
+    }
+    return materials_between(job, name, low, high, m);
+}
+
+static exit_status choose(cli_job *job, const sf_cage *cage, materials *m, size_t *channels)
+{
+    exit_status status =
+        job->options.materials != NULL ? materials_read(job, m) : choose_two(job, cage, m);
+    if (status == EXIT_GOOD && job->options.property != NULL) {
+        if (m->property_count != 1) {
+            return job_fail(job, EXIT_USAGE,
+                            "--property names one property, and the materials know "
+                            "%zu.",
+                            m->property_count);
+        }
+        snprintf(m->properties[0], SF_PROPERTY_NAME_SIZE, "%s", job->options.property);
+    }
+    for (size_t i = 0; status == EXIT_GOOD && i < m->property_count; i++) {
+        status = cages_find_property(job, cage, m->properties[i], &channels[i]);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------------------------------------
+// What became of it
+// ---------------------------------------------------------------------------------------------
+
+static void report_materials(cli_job *job, const materials *m, const graded *g)
+{
+    report *r = job->report;
+    report_begin_list(r, "materials");
+    for (uint32_t i = 0; i < m->count; i++) {
+        double solid = (double)(g->voxels.solid > 0 ? g->voxels.solid : 1);
+        report_begin(r, NULL);
+        report_text(r, "name", m->table[i].name);
+        report_count(r, "voxels", g->uses[i].voxels);
+        report_number(r, "volume_mm3", g->uses[i].volume_mm3);
+        if (m->table[i].density_g_cm3 > 0) {
+            report_number(r, "grams", g->uses[i].mass_g);
+        } else {
+            report_null(r, "grams");
+        }
+        report_number(r, "tone_asked", g->asked[i] / solid);
+        report_number(r, "tone_obtained", (double)g->uses[i].voxels / solid);
+        report_end(r);
+    }
+    report_end(r);
+}
+
+static void report_fields(cli_job *job, const sf_cage *cage, const materials *m, const graded *g)
+{
+    report *r = job->report;
+    report_text(r, "verb", "grade");
+    report_text(r, "input", job->options.input);
+    cages_report(job, cage);
+    describe_lattice(r, &g->lattice);
+    report_begin_list(r, "properties");
+    for (size_t i = 0; i < m->property_count; i++) {
+        report_text(r, NULL, m->properties[i]);
+    }
+    report_end(r);
+    report_text(r, "mask", mask_names[job->options.mask]);
+    report_number(r, "surface_error_mm", g->surface_error_mm);
+    report_count(r, "solid_voxels", g->voxels.solid);
+    report_count(r, "located_voxels", g->voxels.located);
+    report_count(r, "filled_voxels", g->voxels.filled);
+    report_count(r, "missed_voxels", g->missed);
+    report_number(r, "worst_miss", g->worst_miss);
+    report_materials(job, m, g);
+    report_text(r, "output", job->options.output);
+}
+
+static void say(cli_job *job, const materials *m, const graded *g)
+{
+    report *r = job->report;
+    const sf_lattice *l = &g->lattice;
+    double solid = (double)(g->voxels.solid > 0 ? g->voxels.solid : 1);
+    report_say(r, "%s: %u layers of %u x %u voxels, %.4g x %.4g x %.4g mm each; %llu are solid.",
+               job->options.input, l->nz, l->nx, l->ny, l->pitch_x_mm, l->pitch_y_mm, l->layer_mm,
+               (unsigned long long)g->voxels.solid);
+    for (uint32_t i = 0; i < m->count; i++) {
+        char volume[DESCRIBE_MM3_SIZE], grams[48] = "";
+        if (m->table[i].density_g_cm3 > 0) {
+            snprintf(grams, sizeof grams, ", %.4g g", g->uses[i].mass_g);
+        }
+        report_say(r, "  %-12s %s%s; asked for %.3f %% of the solid, got %.3f %%", m->table[i].name,
+                   describe_mm3(g->uses[i].volume_mm3, volume), grams, 100 * g->asked[i] / solid,
+                   100 * (double)g->uses[i].voxels / solid);
+    }
+    if (g->missed > 0) {
+        report_say(r,
+                   "%llu voxels ask for what no mixture has, and got the nearest one: off by at "
+                   "most %.4g%s.",
+                   (unsigned long long)g->missed, g->worst_miss,
+                   m->property_count > 1 ? " spans of what was measured" : "");
+    }
+    report_say(r, "Written to %s.", job->options.output);
+}
+
+static exit_status grade(cli_job *job, const sf_cage *cage, materials *m)
+{
+    graded g;
+    size_t channels[MATERIALS_PROPERTIES_MAX];
+    exit_status status = choose(job, cage, m, channels);
+    if (status == EXIT_GOOD) {
+        status = graded_write(job, cage, channels, m, job->options.output, &g);
+    }
+    if (status == EXIT_GOOD) {
+        report_fields(job, cage, m, &g);
+        say(job, m, &g);
+        report_number(job->report, "seconds", job_seconds(job));
+    }
+    return status;
+}
+
+exit_status verb_grade(cli_job *job)
+{
+    materials m;
+    sf_cage *cage = NULL;
+    memset(&m, 0, sizeof m);
+    if (job->options.output == NULL) {
+        return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER.");
+    }
+    exit_status status = output_probe(job, job->options.output, OUTPUT_STACK);
+    if (status == EXIT_GOOD) {
+        status = cages_read(job, &cage);
+    }
+    if (status == EXIT_GOOD) {
+        status = grade(job, cage, &m);
+    }
+    materials_free(&m);
+    sf_cage_destroy(cage);
+    return status;
+}

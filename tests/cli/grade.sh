@@ -1,0 +1,79 @@
+# Why: layers of materials go to a printer as they are. Their table must say what the pictures hold,
+# tones must come to what was asked, the solid must be the same whatever is mixed, and what cannot be
+# graded must be refused with a sentence and leave nothing behind.
+. "$1"
+needs_json
+
+cage cage.vtk 4 2 2
+cat >three.json <<'END'
+{"format": "libsf-materials", "version": 1,
+ "materials": [{"name": "soft", "colour": "#2060c0", "density_g_cm3": 1.12},
+               {"name": "stiff", "colour": "#f0a020", "density_g_cm3": 1.18}, {"name": "hard"}],
+ "properties": ["stiffness"],
+ "mixtures": [{"fractions": [0, 0, 1], "values": [1]}, {"fractions": [1, 0, 0], "values": [0]},
+              {"fractions": [0, 1, 0], "values": [0.5]}]}
+END
+
+run grade cage.vtk --resolution 48 -o graded --json
+if [ "$exit" -ne 0 ] && grep -q "without PNG\|build it with libspng" stderr; then
+    echo "1..0 # SKIP this build writes no PNG"
+    exit 0
+fi
+same "$exit $(value properties.0)" "0 stiffness" "one property needs no name"
+solid=$(value solid_voxels)
+same "$(($(value materials.0.voxels) + $(value materials.1.voxels)))" "$solid" "every solid voxel has a material"
+awk -v a="$(value materials.0.tone_asked)" -v b="$(value materials.0.tone_obtained)" \
+    'BEGIN { exit !(a > 0.499 && a < 0.501 && b - a < 0.003 && a - b < 0.003) }'
+ok $? "half of it is the first ($(value materials.0.tone_asked) asked, $(value materials.0.tone_obtained) got)"
+same "$(value materials.0.voxels graded/stack.json)" "$(value materials.0.voxels)" "stack.json has the same table"
+same "$(value version graded/stack.json) $(value materials.1.name graded/stack.json)" "3 high" "and names"
+
+# Other materials, another mask: the same solid.
+for mask in slice isotropic diffuse; do
+    exits 0 grade cage.vtk --resolution 48 --materials three.json --mask $mask -o three --json
+    same "$(value solid_voxels)" "$solid" "the solid is the same by $mask"
+    worst=0
+    for i in 0 1 2; do
+        worst=$(awk -v w="$worst" -v a="$(value materials.$i.tone_asked)" \
+            -v b="$(value materials.$i.tone_obtained)" \
+            'BEGIN { d = a > b ? a - b : b - a; print d > w ? d : w }')
+    done
+    awk -v w="$worst" 'BEGIN { exit !(w < 0.003) }'
+    ok $? "tones are as asked within 0.003 ($worst) by $mask"
+    awk -v v="$(value materials.0.volume_mm3)" -v g="$(value materials.0.grams)" \
+        'BEGIN { d = v * 1.12 / 1000 - g; exit !(d < 1e-12 && d > -1e-12) }'
+    ok $? "grams are volume times density"
+done
+same "$(value materials.2.grams)" null "a material without a density has no grams"
+exits 0 info three --json
+same "$(value solid_voxels)" "$solid" "other verbs read layers of materials as what is solid"
+
+# The same bytes with any number of threads.
+exits 0 grade cage.vtk --resolution 40 -o one --threads 1
+exits 0 grade cage.vtk --resolution 40 -o many --threads 7
+cmp -s one/layer_00010.png many/layer_00010.png && cmp -s one/stack.json many/stack.json
+ok $? "one thread and seven write the same bytes"
+
+# What cannot be.
+exits 2 grade cage.vtk
+exits 3 grade cage.vtk --property nothing -o none
+grep -q "it has 'stiffness'" stderr
+ok $? "and says which properties there are"
+exits 3 grade missing.vtk -o none
+exits 2 grade cage.vtk --pitch 0.00001 -o none
+exits 3 grade cage.vtk --materials cage.vtk -o none
+sed 's/"values": \[0.5\]/"values": [1]/' three.json >twice.json
+exits 3 grade cage.vtk --materials twice.json -o none
+grep -q "no two mixtures can have the same value" stderr
+ok $? "and says so"
+sed 's/^0 0 0$/9 9 9/' cage.vtk >inverted.vtk
+exits 3 grade inverted.vtk -o none
+grep -q "cell 0 is inverted or flat" stderr
+ok $? "and names the cell"
+sed '/^POINT_DATA/,$d' cage.vtk >bare.vtk
+exits 3 grade bare.vtk -o none
+grep -q "has no properties" stderr
+ok $? "and says so"
+[ ! -e none ]
+ok $? "nothing was written by any of these"
+finish
