@@ -101,32 +101,6 @@ static int newton(sfi_search *s, const sfi_spline *spline, const part *p)
     return is_there;
 }
 
-// One half of a spline along an axis, by inserting a knot in the middle.
-static void halve(const sfi_spline *from, uint32_t axis, uint32_t high, sfi_spline *to)
-{
-    uint32_t step = 1u << 2 * axis;
-    *to = *from;
-    for (uint32_t i = 0; i < 64; i++) {
-        if ((i >> 2 * axis & 3) != 0) {
-            continue;
-        }
-        for (uint32_t c = 0; c < 3; c++) {
-            double p[4], q[5];
-            for (uint32_t k = 0; k < 4; k++) {
-                p[k] = from->rest[3 * (i + k * step) + c];
-            }
-            q[0] = (p[0] + p[1]) / 2;
-            q[1] = (p[0] + 6 * p[1] + p[2]) / 8;
-            q[2] = (p[1] + p[2]) / 2;
-            q[3] = (p[1] + 6 * p[2] + p[3]) / 8;
-            q[4] = (p[2] + p[3]) / 2;
-            for (uint32_t k = 0; k < 4; k++) {
-                to->rest[3 * (i + k * step) + c] = q[k + high];
-            }
-        }
-    }
-}
-
 static sfi_box spline_box(const sfi_spline *spline)
 {
     sfi_box box = sfi_box_around(spline->rest, 64);
@@ -158,7 +132,7 @@ static int search_halves(sfi_search *s, const sfi_spline *spline, const part *p,
     for (uint32_t high = 0; high < 2; high++) {
         sfi_spline *half = spline_at(s, p->depth, axis);
         part there = half_of(p, axis, high);
-        halve(spline, axis, high, half);
+        sfi_spline_halve(spline, axis, high, half);
         sfi_box box = spline_box(half);
         if (sfi_box_distance2(&box, s->point) <= s->reach2 &&
             search_halves(s, half, &there, axis + 1)) {

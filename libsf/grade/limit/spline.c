@@ -103,3 +103,28 @@ void sfi_spline_at(const sfi_spline *spline, const double *u, double *value, dou
         }
     }
 }
+
+void sfi_spline_halve(const sfi_spline *from, uint32_t axis, uint32_t high, sfi_spline *to)
+{
+    uint32_t step = 1u << 2 * axis;
+    *to = *from;
+    for (uint32_t i = 0; i < 64; i++) {
+        if ((i >> 2 * axis & 3) != 0) {
+            continue;
+        }
+        for (uint32_t c = 0; c < 3; c++) {
+            double p[4], q[5];
+            for (uint32_t k = 0; k < 4; k++) {
+                p[k] = from->rest[3 * (i + k * step) + c];
+            }
+            q[0] = (p[0] + p[1]) / 2;
+            q[1] = (p[0] + 6 * p[1] + p[2]) / 8;
+            q[2] = (p[1] + p[2]) / 2;
+            q[3] = (p[1] + 6 * p[2] + p[3]) / 8;
+            q[4] = (p[2] + p[3]) / 2;
+            for (uint32_t k = 0; k < 4; k++) {
+                to->rest[3 * (i + k * step) + c] = q[k + high];
+            }
+        }
+    }
+}

@@ -24,4 +24,8 @@ void sfi_spline_gather(const sfi_net *net, uint32_t dimension, uint32_t width, c
 // of each number by each axis, axes together.
 void sfi_spline_at(const sfi_spline *spline, const double *u, double *value, double *derivatives);
 
+// One half of a spline of three parameters and three numbers along an axis, by inserting a knot in
+// the middle.
+void sfi_spline_halve(const sfi_spline *from, uint32_t axis, uint32_t high, sfi_spline *to);
+
 #endif

@@ -131,6 +131,33 @@ SF_API SF_CHECKED sf_status sf_limit_values(const sf_limit *limit, size_t channe
                                             const sf_place *places, const sf_allocator *allocator,
                                             sf_task *task, double *values, double *derivatives);
 
+/** What sf_limit_check() finds. */
+typedef struct sf_limit_report {
+    size_t positive;       /**< pieces that are proved to lie the right way out everywhere */
+    size_t inverted;       /**< pieces of which a part lies inside out */
+    size_t first_inverted; /**< the first of these; the number of pieces where there is none */
+    size_t open; /**< the others: next to what is irregular nothing can be proved, and where
+                      a piece is hardly bent the right way the proof may be too coarse */
+} sf_limit_report;
+
+/**
+ * Look whether a shape of dimension 3 lies the right way out everywhere.
+ *
+ * @param limit      the limit
+ * @param allocator  for scratch; NULL for the C library's
+ * @param task       progress, cancel; NULL for none
+ * @param report     receives what was found
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_UNSUPPORTED: a limit of dimension 2;
+ * SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost 50 microseconds for a regular piece, up to some milliseconds for others.   @threads any,
+ * while nobody updates; one at a time for each allocator.
+ * @source A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical validity of curvilinear finite
+ * elements", 2013.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_limit_check(const sf_limit *limit, const sf_allocator *allocator,
+                                           sf_task *task, sf_limit_report *report);
+
 /**
  * Take new positions from the cage.
  *
