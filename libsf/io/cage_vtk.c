@@ -179,13 +179,42 @@ static sf_status take_array(sfi_raw *raw, const sfi_vtk *vtk, const sfi_vtk_arra
     return sfi_raw_push(raw, &raw->arrays, &made);
 }
 
+// The data that a field describes, by the name behind its prefix; NULL where it describes none.
+static const sfi_vtk_array *described(const sfi_vtk *vtk, const sfi_vtk_array *field)
+{
+    size_t prefix = sizeof SFI_VTK_PROPERTY_NAME - 1;
+    if (field->home != SFI_VTK_FIELD || strncmp(field->name, SFI_VTK_PROPERTY_NAME, prefix) != 0) {
+        return NULL;
+    }
+    const sfi_vtk_array *found = sfi_vtk_find(vtk, SFI_VTK_POINTS, field->name + prefix);
+    return found != NULL ? found : sfi_vtk_find(vtk, SFI_VTK_CELLS, field->name + prefix);
+}
+
+// Whether data are taken for a field's sake.
+static int is_described(const sfi_vtk *vtk, const sfi_vtk_array *array)
+{
+    const sfi_vtk_array *arrays = vtk->arrays.items;
+    for (size_t i = 0; i < vtk->arrays.count; i++) {
+        if (described(vtk, &arrays[i]) == array) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+// First, in the order of the fields, the data that those describe; then all others.
 static sf_status take_arrays(sfi_raw *raw, const sfi_vtk *vtk)
 {
     const sfi_vtk_array *arrays = vtk->arrays.items;
     for (size_t i = 0; i < vtk->arrays.count; i++) {
-        int is_join =
-            arrays[i].home == SFI_VTK_POINTS && strcmp(arrays[i].name, SFI_VTK_POINT_NAME) == 0;
-        if (arrays[i].home != SFI_VTK_FIELD && !is_join) {
+        const sfi_vtk_array *array = described(vtk, &arrays[i]);
+        if (array != NULL) {
+            SF_TRY(take_array(raw, vtk, array));
+        }
+    }
+    for (size_t i = 0; i < vtk->arrays.count; i++) {
+        int is_join = strcmp(arrays[i].name, SFI_VTK_POINT_NAME) == 0;
+        if (arrays[i].home != SFI_VTK_FIELD && !is_join && !is_described(vtk, &arrays[i])) {
             SF_TRY(take_array(raw, vtk, &arrays[i]));
         }
     }

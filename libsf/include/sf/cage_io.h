@@ -95,6 +95,43 @@ SF_API SF_CHECKED sf_status sf_cage_read(sf_source source, const sf_cage_read_op
                                          const sf_allocator *allocator, sf_cage **cage,
                                          sf_cage_reading *reading, sf_fault *fault);
 
+/**
+ * Write a cage, or a refined one, as a legacy VTK file, version 3.0, that ParaView opens.
+ *
+ * A property is data of points; one that is the same at all corners of each cell, by its indices,
+ * is data of cells. Where a property jumps, a point is written once for each set of values that
+ * its corners have: first all points in their order, then the other copies. Then the data of
+ * points "sf_point" say which point each one is a copy of. What VTK has no place for are fields of
+ * the grid: "sf_creases", rows of two points and a sharpness; "sf_sharps", rows of a point and a
+ * sharpness; "sf_property:NAME", of each property, 27 numbers: the bytes of its UUID, the
+ * exponents of its unit, then 1 and the low bound or 0 and 0, and the same for the high bound. In
+ * names, blanks, % and quotation marks are written as VTK does, % and two digits.
+ *
+ * sf_cage_read() makes the same cage of it: the same points, cells and sharp things, and at every
+ * corner the same value; corners of a point that have the same value then name the same one.
+ * Numbers read back as the same doubles; a zero with a sign loses it in text. A sharpness beyond
+ * SF_SHARP is written as that.
+ *
+ * @param view       the cage; what is read of it is checked before the first byte is written
+ * @param binary     0: text; else binary
+ * @param allocator  for scratch; NULL for the C library's
+ * @param sink       where the bytes go; on failure it may have had some
+ * @param fault      NULL, or receives a sentence on failure, but for one of memory or of the sink
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a dimension other than 2 or 3, no points or
+ * cells, an index out of range, a number that is not finite, a property without a name, with that
+ * of another, or called "sf_point"; SF_ERR_UNSUPPORTED: a cell of a number of corners for which VTK
+ * has no type, a prism over more than six; SF_ERR_OVERFLOW: more than 2^31 - 1 points, copies
+ * included; SF_ERR_MEMORY; or what the sink returned.
+ * @cost one pass to check, one to write; where a property jumps, 12 bytes for each point and 16 for
+ * each corner.
+ * @threads any, on distinct sinks; one at a time for each allocator.
+ * @source Kitware, "VTK file formats", legacy.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_cage_write_vtk(const sf_cage_view *view, int binary,
+                                              const sf_allocator *allocator, sf_sink sink,
+                                              sf_fault *fault);
+
 #ifdef __cplusplus
 }
 #endif
