@@ -13,6 +13,7 @@
 
 #include "base/memory.h"
 #include "base/status.h"
+#include "io/cage_hanging.h"
 #include "io/cage_turn.h"
 
 #include <string.h>
@@ -353,6 +354,21 @@ static sf_status take_properties(making *m)
 
 // --- all of it -----------------------------------------------------------------------------------
 
+// A boundary that meets itself because of hanging nodes is refused with that for a reason.
+static void explain(const making *m, const sf_cage_view *view)
+{
+    sfi_hanging found = {0, {0, 0}};
+    if (m->raw->fault != NULL && sfi_hanging_find(view, m->allocator, &found)) {
+        unsigned long add = m->raw->first_number;
+        (void)sfi_fault_set(
+            m->raw->fault, SF_ERR_UNSUPPORTED, 0, 0,
+            "the mesh has hanging nodes: point %lu of one cell lies in the middle "
+            "of the edge of points %lu and %lu of another; split that cell as well, "
+            "or join the others",
+            found.point + add, found.ends[0] + add, found.ends[1] + add);
+    }
+}
+
 // What is wrong with the arrays is wrong with the file.
 static sf_status create(const making *m, sf_cage **cage)
 {
@@ -364,6 +380,9 @@ static sf_status create(const making *m, sf_cage **cage)
     sf_status status = sf_cage_create(&view, m->allocator, cage, fault);
     if (status == SF_ERR_OVERFLOW) {
         return sfi_fault_set(fault, status, 0, 0, "the cage has too many faces or edges");
+    }
+    if (status == SF_ERR_UNSUPPORTED) {
+        explain(m, &view);
     }
     if (status != SF_ERR_ARGUMENT) {
         return status;

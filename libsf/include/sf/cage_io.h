@@ -73,7 +73,8 @@ typedef struct sf_cage_reading {
  * No count in a file is believed: memory grows as the bytes come. Refused are pyramids, elements
  * with curved edges of their own, a cell whose type disagrees with its number of corners, corners
  * that name no point, numbers that are not finite, files that are cut short, and what
- * sf_cage_create() refuses. To stop early, let the source return SF_ERR_CANCELLED.
+ * sf_cage_create() refuses; where hanging nodes are the reason for that, the sentence names one. To
+ * stop early, let the source return SF_ERR_CANCELLED.
  *
  * @param source     the file, read to its end
  * @param options    NULL for sf_cage_read_options_default()
