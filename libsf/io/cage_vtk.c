@@ -32,15 +32,16 @@ static sf_status take_cell(sfi_raw *raw, const sfi_vtk *vtk, size_t index)
     const uint32_t *starts = vtk->starts.items;
     uint32_t type = ((const uint32_t *)vtk->types.items)[index], start = starts[index];
     uint32_t count = starts[index + 1] - start;
+    uint32_t line = index < vtk->lines.count ? ((const uint32_t *)vtk->lines.items)[index] : 0;
     kind k = type < sizeof kinds / sizeof kinds[0] ? kinds[type] : kinds[0];
     if (k.dimension == 0) {
-        return sfi_fault_set(raw->fault, SF_ERR_UNSUPPORTED, 0, 0,
+        return sfi_fault_set(raw->fault, SF_ERR_UNSUPPORTED, line, 0,
                              "cell %zu of the file is of VTK's type %lu; a cage has tetrahedra, "
                              "prisms and hexahedra, or faces, all with straight edges",
                              index, (unsigned long)type);
     }
     if (k.corners != 0 ? count != k.corners : count < k.dimension + 1) {
-        return sfi_fault_set(raw->fault, SF_ERR_FORMAT, 0, 0,
+        return sfi_fault_set(raw->fault, SF_ERR_FORMAT, line, 0,
                              "cell %zu of the file is of VTK's type %lu and has %lu corners, which "
                              "disagree; one of the two is wrong",
                              index, (unsigned long)type, (unsigned long)count);
@@ -51,7 +52,7 @@ static sf_status take_cell(sfi_raw *raw, const sfi_vtk *vtk, size_t index)
         corners[i] = corners[i + 1];
         corners[i + 1] = kept;
     }
-    sfi_raw_cell cell = {0, start, count, 0, k.dimension};
+    sfi_raw_cell cell = {0, start, count, line, k.dimension};
     return sfi_raw_push(raw, &raw->cells, &cell);
 }
 

@@ -21,7 +21,7 @@ void sfi_vtk_begin(sfi_vtk *vtk)
     memset(vtk, 0, sizeof *vtk);
     vtk->points_max = vtk->corners_max = UINT32_MAX - 1;
     vtk->points = sfi_list_of(3 * sizeof(double));
-    vtk->starts = vtk->corners = vtk->types = sfi_list_of(sizeof(uint32_t));
+    vtk->starts = vtk->corners = vtk->types = vtk->lines = sfi_list_of(sizeof(uint32_t));
     vtk->arrays = sfi_list_of(sizeof(sfi_vtk_array));
 }
 
@@ -31,6 +31,7 @@ void sfi_vtk_end(sfi_vtk *vtk, const sf_allocator *allocator)
         sfi_list_free(allocator, &((sfi_vtk_array *)vtk->arrays.items)[i].values);
     }
     sfi_list_free(allocator, &vtk->arrays);
+    sfi_list_free(allocator, &vtk->lines);
     sfi_list_free(allocator, &vtk->types);
     sfi_list_free(allocator, &vtk->corners);
     sfi_list_free(allocator, &vtk->starts);
@@ -103,6 +104,9 @@ static sf_status read_rows(sfi_vtk_reader *r, uint32_t count, uint32_t size)
                 r, "the cells have more corners than CELLS counts; correct that line");
         }
         left -= corners + 1;
+        if (!r->binary) {
+            SF_TRY(sfi_list_push(allocator, &r->vtk->lines, &r->cursor->line));
+        }
         for (uint32_t j = 0; j < corners; j++) {
             SF_TRY(sfi_vtk_whole(&numbers, &point));
             SF_TRY(push_corner(r, point));

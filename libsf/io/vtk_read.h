@@ -29,6 +29,7 @@ typedef struct sfi_vtk {
     sfi_list starts;  // uint32_t, one more than cells: where the corners of each begin
     sfi_list corners; // uint32_t, not held against the points
     sfi_list types;   // uint32_t, as many as cells
+    sfi_list lines;   // uint32_t, of each cell, in text below version 5; none elsewhere
     sfi_list arrays;  // sfi_vtk_array
 } sfi_vtk;
 

@@ -76,7 +76,7 @@ typedef struct sf_cage_reading {
  * sf_cage_create() refuses; where hanging nodes are the reason for that, the sentence names one. To
  * stop early, let the source return SF_ERR_CANCELLED.
  *
- * @param source     the file, read to its end
+ * @param source     the file, read to where the cage ends, or somewhat beyond
  * @param options    NULL for sf_cage_read_options_default()
  * @param allocator  for the cage and for reading; NULL for the C library's
  * @param cage       where the new cage is left, to be destroyed by the caller; untouched on failure
@@ -86,7 +86,7 @@ typedef struct sf_cage_reading {
  * @return SF_OK; SF_ERR_FORMAT: the bytes are no cage; SF_ERR_UNSUPPORTED: a mesh that a cage
  * cannot be; SF_ERR_OVERFLOW: more than the options allow; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL
  * pointer or an unknown format; or what the source returned.
- * @cost one pass over the file; memory for four times the cage.
+ * @cost one pass over the file; memory for about three times the cage.
  * @threads any, on distinct sources; one at a time for each allocator.
  * @source P. Frey, "MEDIT: An interactive mesh visualization software", 2001; the MFEM project,
  * "MFEM mesh formats"; Kitware, "VTK file formats", legacy.
