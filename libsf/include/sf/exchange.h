@@ -58,7 +58,8 @@ SF_API SF_CHECKED sf_status sf_exchange_write(const sf_tets *tets, sf_sink sink,
  * @return SF_OK; SF_ERR_FORMAT: no HDF5 file, or none of this layout; SF_ERR_UNSUPPORTED: a version
  * that is not known, a build without libhdf5; SF_ERR_OVERFLOW: a file larger than bytes_max, or
  * more than tetrahedra can be; SF_ERR_ARGUMENT: a NULL pointer, or tetrahedra that cannot be, as
- * sf_tets_create(); SF_ERR_MEMORY; or what the source returned.
+ * sf_tets_create(); SF_ERR_MEMORY; SF_ERR_IO: a source that claims more than it was asked for; or
+ * what the source returned.
  * @cost the file and its contents are held in memory for a while.   @threads one at a time in a
  * process, whatever uses libhdf5 included.
  * @since 0.2
