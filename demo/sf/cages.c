@@ -113,25 +113,3 @@ void cages_report(cli_job *job, const sf_cage *cage)
     report_end(r);
     report_end(r);
 }
-
-exit_status cages_find_property(cli_job *job, const sf_cage *cage, const char *name,
-                                size_t *channel)
-{
-    sf_cage_view view = sf_cage_get_view(cage);
-    char names[400] = "";
-    for (size_t i = 0; i < view.channel_count; i++) {
-        size_t used = strlen(names);
-        if (strcmp(view.channels[i].property.name, name) == 0) {
-            *channel = i;
-            return EXIT_GOOD;
-        }
-        snprintf(names + used, sizeof names - used, "%s'%s'", i > 0 ? ", " : "",
-                 view.channels[i].property.name);
-    }
-    if (view.channel_count == 0) {
-        return job_fail(job, EXIT_INPUT, "%s has no properties, so none is called '%s'.",
-                        job->options.input, name);
-    }
-    return job_fail(job, EXIT_INPUT, "%s has no property '%s'; it has %s.", job->options.input,
-                    name, names);
-}

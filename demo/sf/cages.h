@@ -13,8 +13,4 @@ exit_status cages_read(cli_job *job, sf_cage **cage);
 // Fields of a cage: an object "cage".
 void cages_report(cli_job *job, const sf_cage *cage);
 
-// The number of the property of a name. EXIT_INPUT with the names that there are.
-exit_status cages_find_property(cli_job *job, const sf_cage *cage, const char *name,
-                                size_t *channel);
-
 #endif

@@ -63,18 +63,37 @@ static exit_status fail_call(cli_job *job, sf_status status, const sf_fault *fau
 // Setting up
 // ---------------------------------------------------------------------------------------------
 
-static exit_status set_up_shape(press *p, const sf_cage *cage, const size_t *channels)
+// The box around what is to be sliced.
+static sf_status find_box(press *p, const solid_input *in, double low[3], double high[3])
+{
+    sf_tets_view v = sf_tets_get_view(in->tets);
+    sf_refine_rules rules =
+        p->job->options.given & OPTION_SEPARABLE ? SF_REFINE_SEPARABLE : SF_REFINE_STANDARD;
+    if (in->cage != NULL) {
+        sf_status status = sf_limit_create(in->cage, rules, NULL, &p->job->task, &p->limit);
+        return status == SF_OK ? sf_limit_bounds(p->limit, NULL, NULL, low, high) : status;
+    }
+    for (int i = 0; i < 3; i++) {
+        low[i] = INFINITY;
+        high[i] = -INFINITY;
+    }
+    for (size_t i = 0; i < 4 * v.tet_count; i++) { // points that none uses lie anywhere
+        for (size_t j = 0; j < 3; j++) {
+            double x = v.positions[3 * (size_t)v.corners[i] + j];
+            low[j] = fmin(low[j], x);
+            high[j] = fmax(high[j], x);
+        }
+    }
+    return SF_OK;
+}
+
+static exit_status set_up_shape(press *p, const solid_input *in, const size_t *channels)
 {
     double low[3], high[3];
     uint32_t lift;
     sf_fault fault = {SF_OK, 0, 0, ""};
-    sf_refine_rules rules =
-        p->job->options.given & OPTION_SEPARABLE ? SF_REFINE_SEPARABLE : SF_REFINE_STANDARD;
-    progress_phase("looking at the cage");
-    sf_status status = sf_limit_create(cage, rules, NULL, &p->job->task, &p->limit);
-    if (status == SF_OK) {
-        status = sf_limit_bounds(p->limit, NULL, NULL, low, high);
-    }
+    progress_phase("looking at the solid");
+    sf_status status = find_box(p, in, low, high);
     if (status == SF_ERR_UNSUPPORTED) {
         return job_fail(p->job, EXIT_INPUT, "%s is a surface; only a solid can be graded.",
                         p->job->options.input);
@@ -87,8 +106,11 @@ static exit_status set_up_shape(press *p, const sf_cage *cage, const size_t *cha
         return chosen;
     }
     progress_phase("cutting the surface");
-    status = sf_sampler_create(p->limit, &p->made->lattice, NULL, p->m->property_count, channels,
-                               NULL, &p->job->task, &p->sampler, &fault);
+    status = in->cage != NULL
+                 ? sf_sampler_create(p->limit, &p->made->lattice, NULL, p->m->property_count,
+                                     channels, NULL, &p->job->task, &p->sampler, &fault)
+                 : sf_sampler_of_tets(in->tets, &p->made->lattice, p->m->property_count, channels,
+                                      NULL, &p->sampler, &fault);
     (void)sf_sampler_surface(p->sampler, &p->made->surface_error_mm);
     return status == SF_OK ? EXIT_GOOD : fail_call(p->job, status, &fault);
 }
@@ -219,10 +241,10 @@ static exit_status publish(press *p, const char *path)
     return status == SF_OK ? EXIT_GOOD : job_fail_call(p->job, status, &fault, path, EXIT_RESOURCE);
 }
 
-static exit_status run(press *p, const sf_cage *cage, const size_t *channels, const char *path)
+static exit_status run(press *p, const solid_input *in, const size_t *channels, const char *path)
 {
     sf_fault fault = {SF_OK, 0, 0, ""};
-    exit_status status = set_up_shape(p, cage, channels);
+    exit_status status = set_up_shape(p, in, channels);
     if (status != EXIT_GOOD) {
         return status;
     }
@@ -250,7 +272,7 @@ static exit_status run(press *p, const sf_cage *cage, const size_t *channels, co
     return status;
 }
 
-exit_status graded_write(cli_job *job, const sf_cage *cage, const size_t *channels, materials *m,
+exit_status graded_write(cli_job *job, const solid_input *in, const size_t *channels, materials *m,
                          const char *path, graded *made)
 {
     press p;
@@ -259,7 +281,7 @@ exit_status graded_write(cli_job *job, const sf_cage *cage, const size_t *channe
     p.job = job;
     p.m = m;
     p.made = made;
-    exit_status status = run(&p, cage, channels, path);
+    exit_status status = run(&p, in, channels, path);
     free_press(&p);
     return status;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// From a cage to layers of materials.
+// From a solid to layers of materials.
 
 #ifndef DEMO_SF_GRADED_H
 #define DEMO_SF_GRADED_H
 
 #include "materials.h"
+#include "solids.h"
 
 // What became of it.
 typedef struct graded {
@@ -17,9 +18,9 @@ typedef struct graded {
     uint64_t missed;   // voxels whose mixture is farther off than rounding
 } graded;
 
-// Slice a cage, mix, halftone, and write a folder of layers. `channels` are the properties that the
-// materials know, in their order.
-exit_status graded_write(cli_job *job, const sf_cage *cage, const size_t *channels, materials *m,
+// Slice a solid, mix, halftone, and write a folder of layers. `channels` are the properties that
+// the materials know, in their order.
+exit_status graded_write(cli_job *job, const solid_input *in, const size_t *channels, materials *m,
                          const char *path, graded *made);
 
 #endif

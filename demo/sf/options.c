@@ -242,6 +242,16 @@ static const char *describe_input(const char *name)
         return "\nA CAGE is a mesh of cells with properties: legacy VTK, Medit .mesh or MFEM "
                ".mesh.\n";
     }
+    if (strcmp(name, "TETRA") == 0) {
+        return "\nTETRA is an exchange file (.h5), or a legacy VTK file of tetrahedra.\n";
+    }
+    if (strcmp(name, "SOLID") == 0) {
+        return "\nA SOLID is a cage, which is made smooth (legacy VTK, Medit .mesh or MFEM .mesh), "
+               "or "
+               "tetrahedra,\nwhich are taken as they are (an exchange file .h5, or VTK of nothing "
+               "else)."
+               "\n";
+    }
     return "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that "
            "sf wrote,\nor scene:garden, a scene that the program makes itself.\n";
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // sf grade: a solid of many materials, as layers for a printer that mixes them.
 
-#include "cages.h"
 #include "describe.h"
 #include "graded.h"
 #include "output.h"
+#include "solids.h"
 #include "verbs.h"
 
 #include <math.h>
@@ -18,44 +18,47 @@ static const char *const mask_names[] = {"slice", "isotropic", "diffuse"};
 // ---------------------------------------------------------------------------------------------
 
 // The property that is meant where no file of materials says so.
-static exit_status the_property(cli_job *job, const sf_cage *cage, const char **name)
+static exit_status the_property(cli_job *job, const solid_input *in, const char **name)
 {
-    sf_cage_view view = sf_cage_get_view(cage);
+    const sf_channel *channels;
+    size_t count = solids_channels(in, &channels);
     if (job->options.property != NULL) {
         *name = job->options.property;
         return EXIT_GOOD;
     }
-    if (view.channel_count == 0) {
+    if (count == 0) {
         return job_fail(
             job, EXIT_INPUT,
             "%s has no properties: give its points or cells some (point or cell data of "
             "VTK, references of Medit).",
             job->options.input);
     }
-    if (view.channel_count > 1) {
+    if (count > 1) {
         return job_fail(job, EXIT_USAGE,
                         "%s has %zu properties, such as '%s' and '%s'; say which one "
                         "with --property, or which mixtures with --materials.",
-                        job->options.input, view.channel_count, view.channels[0].property.name,
-                        view.channels[1].property.name);
+                        job->options.input, count, channels[0].property.name,
+                        channels[1].property.name);
     }
-    *name = view.channels[0].property.name;
+    *name = channels[0].property.name;
     return EXIT_GOOD;
 }
 
 // Two materials from the least to the greatest value that a point has.
-static exit_status choose_two(cli_job *job, const sf_cage *cage, materials *m)
+static exit_status choose_two(cli_job *job, const solid_input *in, materials *m)
 {
     const char *name = NULL;
     size_t channel = 0;
-    exit_status status = the_property(job, cage, &name);
+    exit_status status = the_property(job, in, &name);
     if (status == EXIT_GOOD) {
-        status = cages_find_property(job, cage, name, &channel);
+        status = solids_find_property(job, in, name, &channel);
     }
     if (status != EXIT_GOOD) {
         return status;
     }
-    const sf_channel *c = &sf_cage_get_view(cage).channels[channel];
+    const sf_channel *channels;
+    (void)solids_channels(in, &channels);
+    const sf_channel *c = &channels[channel];
     double low = c->values[0], high = c->values[0];
     for (size_t i = 0; i < c->value_count; i++) {
         low = fmin(low, c->values[i]);
@@ -64,10 +67,10 @@ static exit_status choose_two(cli_job *job, const sf_cage *cage, materials *m)
     return materials_between(job, name, low, high, m);
 }
 
-static exit_status choose(cli_job *job, const sf_cage *cage, materials *m, size_t *channels)
+static exit_status choose(cli_job *job, const solid_input *in, materials *m, size_t *channels)
 {
     exit_status status =
-        job->options.materials != NULL ? materials_read(job, m) : choose_two(job, cage, m);
+        job->options.materials != NULL ? materials_read(job, m) : choose_two(job, in, m);
     if (status == EXIT_GOOD && job->options.property != NULL) {
         if (m->property_count != 1) {
             return job_fail(job, EXIT_USAGE,
@@ -78,7 +81,7 @@ static exit_status choose(cli_job *job, const sf_cage *cage, materials *m, size_
         snprintf(m->properties[0], SF_PROPERTY_NAME_SIZE, "%s", job->options.property);
     }
     for (size_t i = 0; status == EXIT_GOOD && i < m->property_count; i++) {
-        status = cages_find_property(job, cage, m->properties[i], &channels[i]);
+        status = solids_find_property(job, in, m->properties[i], &channels[i]);
     }
     return status;
 }
@@ -109,12 +112,12 @@ static void report_materials(cli_job *job, const materials *m, const graded *g)
     report_end(r);
 }
 
-static void report_fields(cli_job *job, const sf_cage *cage, const materials *m, const graded *g)
+static void report_fields(cli_job *job, const solid_input *in, const materials *m, const graded *g)
 {
     report *r = job->report;
     report_text(r, "verb", "grade");
     report_text(r, "input", job->options.input);
-    cages_report(job, cage);
+    solids_report(job, in);
     describe_lattice(r, &g->lattice);
     report_begin_list(r, "properties");
     for (size_t i = 0; i < m->property_count; i++) {
@@ -159,16 +162,16 @@ static void say(cli_job *job, const materials *m, const graded *g)
     report_say(r, "Written to %s.", job->options.output);
 }
 
-static exit_status grade(cli_job *job, const sf_cage *cage, materials *m)
+static exit_status grade(cli_job *job, const solid_input *in, materials *m)
 {
     graded g;
     size_t channels[MATERIALS_PROPERTIES_MAX];
-    exit_status status = choose(job, cage, m, channels);
+    exit_status status = choose(job, in, m, channels);
     if (status == EXIT_GOOD) {
-        status = graded_write(job, cage, channels, m, job->options.output, &g);
+        status = graded_write(job, in, channels, m, job->options.output, &g);
     }
     if (status == EXIT_GOOD) {
-        report_fields(job, cage, m, &g);
+        report_fields(job, in, m, &g);
         say(job, m, &g);
         report_number(job->report, "seconds", job_seconds(job));
     }
@@ -178,19 +181,19 @@ static exit_status grade(cli_job *job, const sf_cage *cage, materials *m)
 exit_status verb_grade(cli_job *job)
 {
     materials m;
-    sf_cage *cage = NULL;
+    solid_input in = {NULL, NULL};
     memset(&m, 0, sizeof m);
     if (job->options.output == NULL) {
         return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER.");
     }
     exit_status status = output_probe(job, job->options.output, OUTPUT_STACK);
     if (status == EXIT_GOOD) {
-        status = cages_read(job, &cage);
+        status = solids_read(job, &in);
     }
     if (status == EXIT_GOOD) {
-        status = grade(job, cage, &m);
+        status = grade(job, &in, &m);
     }
     materials_free(&m);
-    sf_cage_destroy(cage);
+    solids_release(&in);
     return status;
 }

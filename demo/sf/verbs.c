@@ -90,7 +90,7 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --up -y --rest\n",
       "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png"},
      verb_stand},
-    {{"grade", "a solid of mixed materials from a cage, as layers", "CAGE", 0,
+    {{"grade", "a solid of mixed materials from a cage, as layers", "SOLID", 0,
       OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |
           OPTION_MEMORY | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK | OPTION_SEPARABLE |
           HOST_OPTIONS,
@@ -99,6 +99,22 @@ const verb_entry verbs_table[] = {
       "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
       "folder for the layers"},
      verb_grade},
+    {{"refine", "a cage after some steps of subdivision", "CAGE", 0,
+      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_SEPARABLE |
+          HOST_OPTIONS,
+      "  sf refine cage.vtk --steps 3 -o fine.vtk\n", "the refined cage (.vtk)"},
+     verb_refine},
+    {{"tetra", "a cage as tetrahedra, for simulations and exchange", "CAGE", 0,
+      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_SEPARABLE |
+          HOST_OPTIONS,
+      "  sf tetra cage.vtk --steps 2 -o tetra.vtk\n  sf tetra cage.vtk -o tetra.h5\n",
+      "the tetrahedra (.h5, with .xdmf beside it, or .vtk)"},
+     verb_tetra},
+    {{"exchange", "tetrahedra from one format to another", "TETRA", 0,
+      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | HOST_OPTIONS,
+      "  sf exchange tetra.vtk -o exchanged.h5\n  sf exchange tetra.h5 -o exchanged.vtk\n",
+      "the tetrahedra (.h5, with .xdmf beside it, or .vtk)"},
+     verb_exchange},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
       "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers"},

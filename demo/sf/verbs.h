@@ -25,6 +25,9 @@ exit_status verb_hollow(cli_job *job);
 exit_status verb_stand(cli_job *job);
 exit_status verb_slice(cli_job *job);
 exit_status verb_grade(cli_job *job);
+exit_status verb_refine(cli_job *job);
+exit_status verb_tetra(cli_job *job);
+exit_status verb_exchange(cli_job *job);
 exit_status verb_orient(cli_job *job);
 exit_status verb_render(cli_job *job);
 

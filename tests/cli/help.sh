@@ -23,21 +23,21 @@ cat >materials.json <<'END'
  "mixtures": [{"fractions": [1, 0], "values": [0]}, {"fractions": [0.5, 0.5], "values": [0.2]},
               {"fractions": [0, 1], "values": [1]}]}
 END
-for verb in run info check trim grow repair preserve hollow stand grade slice orient render; do
+for verb in run info check trim grow repair preserve hollow stand grade refine tetra exchange slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples
     [ -s examples ]
     ok $? "$verb --help has examples"
     says=no
     grep -q 'stack of pictures that sf' stdout && says=yes
-    same $says "$(case $verb in orient | stand | grade) echo no ;; *) echo yes ;; esac)" "$verb --help says whether it takes more than meshes"
+    same $says "$(case $verb in orient | stand | grade | refine | tetra | exchange) echo no ;; *) echo yes ;; esac)" "$verb --help says whether it takes more than meshes"
     cp stdout asked
     run help $verb
     cmp -s stdout asked
     ok $? "sf help $verb says the same"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
-        info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;
+        refine* | tetra* | exchange* | info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;
         *--resolution*) extra= ;;
         *) extra="--resolution 24" ;;
         esac
@@ -47,6 +47,7 @@ for verb in run info check trim grow repair preserve hollow stand grade slice or
         # shellcheck disable=SC2086
         run $line $extra
         [ $exit -le 1 ] || { [ $exit -eq 2 ] && grep -q "without PNG" stderr; } ||
+            grep -q "build it with libhdf5\|build it with libspng\|tetra.h5" stderr ||
             { [ $exit -eq 3 ] && grep -q "build it with jansson" stderr; }
         ok $? "sf $line $extra"
     done <examples
