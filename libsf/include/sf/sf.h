@@ -21,6 +21,7 @@
 #include <sf/mesh.h>
 #include <sf/mixture.h>
 #include <sf/orient.h>
+#include <sf/paint.h>
 #include <sf/preserve.h>
 #include <sf/printing.h>
 #include <sf/property.h>
