@@ -4,6 +4,7 @@
 #include "cages.h"
 
 #include "progress.h"
+#include "recipes.h"
 
 #include <sf/cage_io.h>
 #include <sf/io.h>
@@ -94,6 +95,9 @@ exit_status cages_read(cli_job *job, sf_cage **cage)
     }
     if (status == EXIT_GOOD) {
         status = bring_to_size(job, *cage);
+    }
+    if (status == EXIT_GOOD && job->options.paint != NULL) {
+        status = recipes_apply(job, *cage);
     }
     return status == EXIT_GOOD ? look(job, *cage) : status;
 }

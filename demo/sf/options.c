@@ -31,6 +31,7 @@ static const option_entry table[] = {
     {OPTION_DRAIN, "drain", 0, "MM[,N]",
      "drill a hole of that width (or N) into every void; fill what none fits into"},
     {OPTION_DENSITY, "density", 0, "D|FILE", "what 1 mm3 weighs, or a file that says more"},
+    {OPTION_PAINT, "paint", 0, "FILE", "a recipe of what to change in the cage first"},
     {OPTION_PROPERTY, "property", 0, "NAME", "the property that materials are mixed for"},
     {OPTION_MATERIALS, "materials", 0, "FILE",
      "materials, and what mixtures of them were measured to be (default: two, from the least to "

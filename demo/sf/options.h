@@ -67,6 +67,7 @@
 #define OPTION_MASK (UINT64_C(1) << 53)
 #define OPTION_STEPS (UINT64_C(1) << 54)
 #define OPTION_SEPARABLE (UINT64_C(1) << 55)
+#define OPTION_PAINT (UINT64_C(1) << 56)
 
 // How tones become materials.
 typedef enum cli_mask { CLI_MASK_SLICE, CLI_MASK_ISOTROPIC, CLI_MASK_DIFFUSE } cli_mask;
@@ -81,6 +82,7 @@ typedef struct cli_options {
     const char *layers;                 // folder to write, or NULL
     const char *density;                // a number or a file, or NULL
     const char *property, *materials;   // a name, a file; or NULL
+    const char *paint;                  // a file, or NULL
     double pitch_mm[3];                 // x, y, layer
     uint32_t resolution;
     double angle_rad; // of the command line or of a stack; values_angle_deg() shows it

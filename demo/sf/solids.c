@@ -159,10 +159,11 @@ exit_status solids_read(cli_job *job, solid_input *read)
 {
     const char *path = job->options.input;
     if (ends_with(path, ".h5") || ends_with(path, ".hdf5")) {
-        if (job->options.given & (OPTION_UNITS | OPTION_SCALE | OPTION_SIZE)) {
+        if (job->options.given & (OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_PAINT)) {
             return job_fail(
                 job, EXIT_USAGE,
-                "An exchange file has its own size: leave out --units, --scale, --size.");
+                "An exchange file is taken as it is: leave out --units, --scale, --size and "
+                "--paint.");
         }
         return read_tets(job, &read->tets);
     }

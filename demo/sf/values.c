@@ -218,6 +218,7 @@ static int parse_file(uint64_t bit, const char *text, cli_options *made)
                          : bit == OPTION_DENSITY     ? &made->density
                          : bit == OPTION_PROPERTY    ? &made->property
                          : bit == OPTION_MATERIALS   ? &made->materials
+                         : bit == OPTION_PAINT       ? &made->paint
                                                      : &made->remove;
     *place = text;
     return text[0] != '\0';
@@ -276,6 +277,7 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
     case OPTION_DENSITY:
     case OPTION_PROPERTY:
     case OPTION_MATERIALS:
+    case OPTION_PAINT:
         return parse_file(bit, text, made);
     case OPTION_MASK:
         return parse_mask(text, made);

@@ -92,21 +92,22 @@ const verb_entry verbs_table[] = {
      verb_stand},
     {{"grade", "a solid of mixed materials from a cage, as layers", "SOLID", 0,
       OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |
-          OPTION_MEMORY | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK | OPTION_SEPARABLE |
-          HOST_OPTIONS,
+          OPTION_MEMORY | OPTION_PAINT | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK |
+          OPTION_SEPARABLE | HOST_OPTIONS,
       "  sf grade cage.vtk -o graded\n"
       "  sf grade cage.vtk --materials materials.json --pitch 0.0423,0.0846,0.027 -o graded\n"
+      "  sf grade cage.vtk --paint recipe.json -o graded\n"
       "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
       "folder for the layers"},
      verb_grade},
     {{"refine", "a cage after some steps of subdivision", "CAGE", 0,
-      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_SEPARABLE |
-          HOST_OPTIONS,
+      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_PAINT |
+          OPTION_SEPARABLE | HOST_OPTIONS,
       "  sf refine cage.vtk --steps 3 -o fine.vtk\n", "the refined cage (.vtk)"},
      verb_refine},
     {{"tetra", "a cage as tetrahedra, for simulations and exchange", "CAGE", 0,
-      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_SEPARABLE |
-          HOST_OPTIONS,
+      OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_PAINT |
+          OPTION_SEPARABLE | HOST_OPTIONS,
       "  sf tetra cage.vtk --steps 2 -o tetra.vtk\n  sf tetra cage.vtk -o tetra.h5\n",
       "the tetrahedra (.h5, with .xdmf beside it, or .vtk)"},
      verb_tetra},

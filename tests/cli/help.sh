@@ -23,6 +23,10 @@ cat >materials.json <<'END'
  "mixtures": [{"fractions": [1, 0], "values": [0]}, {"fractions": [0.5, 0.5], "values": [0.2]},
               {"fractions": [0, 1], "values": [1]}]}
 END
+cat >recipe.json <<'END'
+{"format": "libsf-paint", "version": 1,
+ "steps": [{"property": "stiffness", "ball": {"at_mm": [4, 1, 1], "radius_mm": 2}, "set": 0.5}]}
+END
 for verb in run info check trim grow repair preserve hollow stand grade refine tetra exchange slice orient render; do
     run $verb --help
     tr -d '\r' <stdout | sed -n '/^examples:/,/^$/s/^  sf //p' >examples

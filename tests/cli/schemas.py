@@ -23,7 +23,7 @@ except ImportError:
 
 DOCS = pathlib.Path(sys.argv[1])
 SF = os.environ.get("SF_WRAPPER", "").split() + [os.environ["SF"]]
-NAMES = ("stance", "handles", "density")
+NAMES = ("stance", "handles", "density", "materials", "paint")
 # A column that leans, as the files of docs/balance.md speak of, and the least work that reads a file.
 COLUMN = "".join(f"v {x + 16 * z / 40} {y} {z}\n" for z in (0, 40) for y in (0, 12) for x in (0, 12))
 COLUMN += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
@@ -31,7 +31,14 @@ ASKED = {
     "stance": ["stand", "column.obj", "--no-carve", "--no-deform", "--stance"],
     "handles": ["stand", "column.obj", "--no-carve", "--handles"],
     "density": ["stand", "column.obj", "--rest", "--density"],
+    "materials": ["grade", "cage.vtk", "-o", "out", "--materials"],
+    "paint": ["grade", "cage.vtk", "-o", "out", "--property", "stiffness", "--paint"],
 }
+# A cage of one cell with a property.
+CAGE = "# vtk DataFile Version 3.0\na cell\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n"
+CAGE += "".join(f"{4 * x} {4 * y} {4 * z}\n" for z in (0, 1) for y in (0, 1) for x in (0, 1))
+CAGE += "CELLS 1 9\n8 0 1 3 2 4 5 7 6\nCELL_TYPES 1\n12\nPOINT_DATA 8\nSCALARS stiffness double 1\n"
+CAGE += "LOOKUP_TABLE default\n0\n1\n0\n1\n0\n1\n0\n1\n"
 # More than the docs show: every key that there is.
 MORE = {
     "stance": [{"kind": "stand", "up": [0, 0, 2], "gamma_deg": 1, "low_mm": [-9, -9, -9], "high_mm": [99, 99, 99],
@@ -44,8 +51,26 @@ MORE = {
     "density": {"density": 2, "infill": 0.5, "wall_mm": 1,
                 "regions": [{"density": 3, "box": {"low": [0, 0, 0], "high": [9, 9, 9]}},
                             {"density": 1, "mesh": "column.obj"}]},
+    "materials": {"materials": [{"name": "a", "colour": "#00fF7a", "density_g_cm3": 1.5}, {"name": "b"}, {"name": "c"}],
+                  "properties": ["stiffness"],
+                  "mixtures": [{"fractions": [1, 0, 0], "values": [0]}, {"fractions": [0, 1, 0], "values": [0.5]},
+                               {"fractions": [0, 0, 1], "values": [1]}]},
+    "paint": [{"property": "stiffness", "ball": {"at_mm": [0, 0, 0], "radius_mm": 3, "strength": 0.5,
+                                                 "falloff": "linear", "where": "outside"}, "set": 0.5},
+              {"property": "stiffness", "capsule": {"from_mm": [0, 0, 0], "to_mm": [0, 0, 4], "radius_mm": 1,
+                                                    "where": "inside", "falloff": "constant"}, "add": 0.25},
+              {"property": "stiffness", "points": [0, 7], "smooth": 0.5},
+              {"all": True, "move": [1, 0, 0]}, {"all": True, "smooth_shape": 0.25},
+              {"create": "other", "value": 0.5, "low": 0, "high": 1}],
 }
 WRONG = {
+    "materials": [{"materials": [{"name": "a"}], "properties": ["stiffness"], "mixtures": []}, {"materials": []}],
+    "paint": [[], [{}], [{"all": True}], [{"set": 1, "all": True}], [{"property": "stiffness", "set": 1}],
+              [{"property": "stiffness", "all": True, "points": [0], "set": 1}], [{"all": False, "move": [0, 0, 1]}],
+              [{"property": "stiffness", "all": True, "set": 1, "add": 1}],
+              [{"property": "stiffness", "all": True, "smooth": 2}], [{"points": [], "move": [0, 0, 1]}],
+              [{"property": "stiffness", "ball": {"at_mm": [0, 0, 0], "radius_mm": 0}, "set": 1}],
+              [{"property": "stiffness", "ball": {"at_mm": [0, 0, 0], "radius_mm": 1, "strength": 2}, "set": 1}]],
     "stance": [[], [{}] * 33, [{"up": [0, 0, 0]}], [{"gamma_deg": -1}], [{"gamma_deg": 81}],
                [{"kind": "hang", "point_mm": [14, 6, 20], "tolerance_deg": 0}], [{"kind": "lie"}], [{"up": [0, 1]}],
                [{"up": [0, 0, 1, 0]}], [{"contact_mm": -1}], [{"kind": "hang", "lever_mm": -1}]],
@@ -74,7 +99,9 @@ def ok(good, words, notes=()):
 
 def document(name, inside):
     head = {"format": f"libsf-{name}", "version": 1}
-    return {**head, **inside} if name == "density" else {**head, f"{name}s" if name == "stance" else name: inside}
+    if name in ("density", "materials"):
+        return {**head, **inside}
+    return {**head, {"stance": "stances", "paint": "steps"}.get(name, name): inside}
 
 
 def breakages(value):
@@ -108,7 +135,7 @@ def breakages(value):
             yield from walk(below)
 
     yield from walk([])
-    for key in ("format", "version", "stances", "handles"):
+    for key in ("format", "version", "stances", "handles", "materials", "properties", "mixtures", "steps"):
         if key in value:
             yield f"no {key}", {k: v for k, v in value.items() if k != key}
     yield "another format", {**value, "format": "libsf-other"}
@@ -141,7 +168,7 @@ def check(name):
     good = [made for _, made in shown(name)]
     ok(good, f"the docs show a file of {name}")
     good += [document(name, MORE[name])]
-    if name != "density":
+    if name not in ("density", "materials"):
         good += [document(name, [item]) for item in MORE[name]]
     for i, made in enumerate(good):
         taken, said = takes(name, made)
@@ -172,6 +199,7 @@ def main():
     with tempfile.TemporaryDirectory() as place:
         os.chdir(place)
         pathlib.Path("column.obj").write_text(COLUMN)
+        pathlib.Path("cage.vtk").write_text(CAGE)
         for name in NAMES:
             check(name)
         os.chdir("/")
