@@ -113,7 +113,7 @@ static void tell_voxel(const telling *t, size_t tet, const double share[4], size
 // Voxels of a row from the first whose middle is not before `low` to the last not behind `high`.
 static int find_interval(const sf_lattice *l, double low, double high, uint32_t *from, uint32_t *to)
 {
-    double first = ceil((low - l->origin_mm[0]) / l->pitch_x_mm - 0.5 - 1e-6);
+    double first = -floor(-((low - l->origin_mm[0]) / l->pitch_x_mm - 0.5 - 1e-6));
     double last = floor((high - l->origin_mm[0]) / l->pitch_x_mm - 0.5 + 1e-6);
     if (!(first < l->nx) || !(last >= 0) || !(first <= last)) {
         return 0;
@@ -182,7 +182,7 @@ static void tell_tet(const telling *t, size_t tet)
     if (high[2] < t->z || low[2] > t->z || !find_shares(v, tet, &s)) {
         return;
     }
-    double first = ceil((low[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 - 1e-6);
+    double first = -floor(-((low[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 - 1e-6));
     double last = floor((high[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 + 1e-6);
     for (double y = first > 0 ? first : 0; y <= last && y < l->ny; y++) {
         double from = low[0], to = high[0];

@@ -9,6 +9,7 @@
 #include <sf/blend.h>
 #include <sf/body.h>
 #include <sf/cage.h>
+#include <sf/cage_build.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
 #include <sf/density.h>
