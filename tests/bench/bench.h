@@ -44,5 +44,6 @@ void bench_balance(void);
 void bench_carve(void);
 void bench_handles(void);
 void bench_halftone(void);
+void bench_grade(void);
 
 #endif

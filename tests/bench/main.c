@@ -144,6 +144,7 @@ int main(int argc, char **argv)
     bench_carve();
     bench_handles();
     bench_halftone();
+    bench_grade();
     bench_sums();
     bench_repair();
     if (figure_count == 0) {
