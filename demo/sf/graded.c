@@ -6,7 +6,9 @@
 
 #include "graded.h"
 
+#include "grade_picture.h"
 #include "lattice.h"
+#include "output.h"
 #include "progress.h"
 
 #include <sf/io.h>
@@ -33,6 +35,7 @@ typedef struct press {
     double *values[MATERIALS_PROPERTIES_MAX];
     double *tones[MATERIALS_MAX];
     uint8_t *ids;
+    grade_picture picture; // of zeros where none is asked for
 } press;
 
 static void free_press(press *p)
@@ -44,6 +47,7 @@ static void free_press(press *p)
         free(p->tones[i]);
     }
     free(p->ids);
+    grade_picture_end(&p->picture);
     sf_layers_end(p->layers);
     sf_directory_close(p->directory);
     sf_grid_destroy(p->grid);
@@ -146,6 +150,9 @@ static int set_up_planes(press *p)
         good = good && p->tones[i] != NULL;
     }
     p->ids = malloc(plane);
+    if (p->job->options.picture != NULL) {
+        good = good && grade_picture_begin(l, &p->picture);
+    }
     return good && p->ids != NULL && sf_grid_create(&one, NULL, &p->grid) == SF_OK;
 }
 
@@ -220,6 +227,9 @@ static exit_status press_layers(press *p)
             mix(p, solid);
             status = halftone(p, k, solid);
         }
+        if (status == SF_OK && p->picture.front != NULL) {
+            grade_picture_look(&p->picture, k, solid, p->values[0], p->ids);
+        }
         if (status == SF_OK) {
             status = sf_layers_add(p->layers, p->ids, l->nx, &fault);
         }
@@ -239,6 +249,17 @@ static exit_status publish(press *p, const char *path)
         p->directory = NULL;
     }
     return status == SF_OK ? EXIT_GOOD : job_fail_call(p->job, status, &fault, path, EXIT_RESOURCE);
+}
+
+static exit_status draw(press *p)
+{
+    canvas to;
+    exit_status status = grade_picture_draw(p->job, &p->picture, p->m, &to);
+    if (status == EXIT_GOOD) {
+        status = output_save_picture(p->job, &to, p->job->options.picture);
+        canvas_destroy(&to);
+    }
+    return status;
 }
 
 static exit_status run(press *p, const solid_input *in, const size_t *channels, const char *path)
@@ -266,6 +287,9 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
         return job_fail_call(p->job, made, &fault, path, EXIT_RESOURCE);
     }
     status = press_layers(p);
+    if (status == EXIT_GOOD && p->picture.front != NULL) {
+        status = draw(p);
+    }
     if (status == EXIT_GOOD && sf_sampler_report(p->sampler, &p->made->voxels) == SF_OK) {
         status = publish(p, path);
     }

@@ -133,6 +133,9 @@ static void report_fields(cli_job *job, const solid_input *in, const materials *
     report_number(r, "worst_miss", g->worst_miss);
     report_materials(job, m, g);
     report_text(r, "output", job->options.output);
+    if (job->options.picture != NULL) {
+        report_text(r, "picture", job->options.picture);
+    }
 }
 
 static void say(cli_job *job, const materials *m, const graded *g)
@@ -187,6 +190,9 @@ exit_status verb_grade(cli_job *job)
         return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER.");
     }
     exit_status status = output_probe(job, job->options.output, OUTPUT_STACK);
+    if (status == EXIT_GOOD) {
+        status = output_probe(job, job->options.picture, OUTPUT_PICTURE);
+    }
     if (status == EXIT_GOOD) {
         status = solids_read(job, &in);
     }

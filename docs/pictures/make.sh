@@ -13,3 +13,23 @@ build=${BUILD:-$(cd ../.. && pwd)/build}
 ninja -C "$build" $program >/dev/null
 "$build/$program" "$here/terms.png" >/dev/null
 mv "$here/terms.png" .
+# And that of docs/grade.md: a block of sixteen cells, painted.
+eval "$(sed -n '/^cage() {/,/^}/p' ../../tests/cli/tap.sh)"
+cage "$here/cage.vtk" 4 2 2
+cat >"$here/materials.json" <<'END'
+{"format": "libsf-materials", "version": 1,
+ "materials": [{"name": "soft", "colour": "#2060c0"}, {"name": "stiff", "colour": "#f0a020"},
+               {"name": "hard", "colour": "#202020"}],
+ "properties": ["stiffness"],
+ "mixtures": [{"fractions": [1, 0, 0], "values": [0]}, {"fractions": [0, 1, 0], "values": [0.5]},
+              {"fractions": [0, 0, 1], "values": [1]}]}
+END
+cat >"$here/recipe.json" <<'END'
+{"format": "libsf-paint", "version": 1,
+ "steps": [{"property": "stiffness", "ball": {"at_mm": [1, 1, 1], "radius_mm": 1.6}, "set": 1.5},
+           {"property": "stiffness", "capsule": {"from_mm": [0, 0, 2], "to_mm": [4, 0, 2], "radius_mm": 1.2}, "set": 0},
+           {"ball": {"at_mm": [4, 1, 1], "radius_mm": 1.2}, "move": [1, 0, 0]}]}
+END
+../../dev sf grade "$here/cage.vtk" --paint "$here/recipe.json" --materials "$here/materials.json" \
+    --resolution 170 -o "$here/graded" --picture "$here/graded.png" >/dev/null
+mv "$here/graded.png" .
