@@ -70,7 +70,8 @@ static sf_status check_counts(const sf_cage_view *v, sf_fault *fault)
     return SF_OK;
 }
 
-static sf_status check_arrays(const sf_cage_view *v, sf_fault *fault)
+// Starts first, all of them: where they do not rise, corners would be read beyond their end.
+static sf_status check_starts(const sf_cage_view *v, sf_fault *fault)
 {
     for (size_t i = 0; i < v->cell_count; i++) {
         if (v->starts[0] != 0 || v->starts[i + 1] < v->starts[i] || v->starts[i + 1] > INT32_MAX) {
@@ -79,6 +80,14 @@ static sf_status check_arrays(const sf_cage_view *v, sf_fault *fault)
                                  "of the first not at 0",
                                  i);
         }
+    }
+    return SF_OK;
+}
+
+static sf_status check_arrays(const sf_cage_view *v, sf_fault *fault)
+{
+    SF_TRY(check_starts(v, fault));
+    for (size_t i = 0; i < v->cell_count; i++) {
         for (uint32_t j = v->starts[i]; j < v->starts[i + 1]; j++) {
             if (v->corners[j] >= v->point_count) {
                 return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
