@@ -119,6 +119,10 @@ static exit_status set_up_shape(press *p, const solid_input *in, const size_t *c
     return status == SF_OK ? EXIT_GOOD : fail_call(p->job, status, &fault);
 }
 
+// The mask of a layer repeats after so many voxels: wider than the one that is built in, since the
+// spectrum of a wide one is rounder, for a quarter of a second.
+enum { MASK_WIDTH = 64 };
+
 static sf_status set_up_mask(press *p)
 {
     const sf_lattice *l = &p->made->lattice;
@@ -129,6 +133,7 @@ static sf_status set_up_mask(press *p)
     sf_mask_options how = sf_mask_options_default();
     how.kind = p->job->options.mask == CLI_MASK_ISOTROPIC ? SF_MASK_ISOTROPIC : SF_MASK_SLICE;
     memcpy(how.pitch_mm, pitch, sizeof pitch);
+    how.nx = how.ny = MASK_WIDTH;
     progress_phase("making the mask");
     sf_status status = sf_mask_create(&how, NULL, &p->job->task, &p->mask);
     return status == SF_OK ? sf_halftone_create(p->mask, p->m->count, NULL, &p->halftone) : status;

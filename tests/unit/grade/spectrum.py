@@ -10,8 +10,9 @@
 #   half x, y  where S, in a wedge of 30 degrees around the axis, first comes up to one half, in cycles
 #              per mm; the mean of S in rings that overlap, a line between their middles
 #
-# usage: spectrum.py FOLDER [--pitch PX,PY] [--size NX,NY,NZ] MATERIAL...   (numbers as in the pictures)
-#        --size: how much of the layers, from their first corner; sides along x and y are powers of 2
+# usage: spectrum.py FOLDER [--pitch PX,PY] [--from X,Y,LAYER] [--size NX,NY,NZ] MATERIAL...
+#        materials are numbers as in the pictures; --from, --size: how much of the layers, from which
+#        pixel and layer on; sides along x and y are powers of 2
 
 import cmath
 import math
@@ -106,6 +107,8 @@ def spectrum(layers, material):
     total = sum(v == material for layer in layers for row in layer for v in row)
     tone = total / (count * len(layers))
     sums = [[0.0] * width for _ in range(height)]
+    if total in (0, count * len(layers)):
+        return total, tone, sums
     for layer in layers:
         bits = [[v == material for v in row] for row in layer]
         mean = sum(map(sum, bits)) / count
@@ -150,18 +153,21 @@ def half(s, pitch, axis):
 
 
 def main():
-    arguments, pitch, size = [], (1.0, 1.0), None
+    arguments, pitch, start, size = [], (1.0, 1.0), (0, 0, 0), None
     words = iter(sys.argv[1:])
     for word in words:
         if word == "--pitch":
             pitch = tuple(float(v) for v in next(words).split(",")[:2])
+        elif word == "--from":
+            start = [int(v) for v in next(words).split(",")]
         elif word == "--size":
             size = [int(v) for v in next(words).split(",")]
         else:
             arguments.append(word)
     layers = read_layers(arguments[0])
     if size:
-        layers = [[row[:size[0]] for row in layer[:size[1]]] for layer in layers[:size[2]]]
+        x, y, k = start
+        layers = [[row[x:x + size[0]] for row in layer[y:y + size[1]]] for layer in layers[k:k + size[2]]]
     for material in map(int, arguments[1:]):
         total, tone, s = spectrum(layers, material)
         print(f"material {material} voxels {total} tone {tone:.6f} low {low(s):.4f} "
