@@ -226,6 +226,55 @@ static void tetrahedra_come_to_the_same(void)
     CHECK(solid > 10000 && differ < solid / 200 && worst < 0.01 && filled < solid / 1000);
 }
 
+// The volume of a limit: its voxels are counted.
+static double counted_volume(const test_cage *c, double pitch)
+{
+    sf_lattice l = lattice_around(c, pitch), one = l;
+    sf_limit *limit = limit_of(c, SF_REFINE_STANDARD);
+    sf_sampler *sampler = sampler_of(limit, &l, 0);
+    sf_sample_report report;
+    sf_grid *grid = NULL;
+    one.nz = 1;
+    CHECK_EQ(sf_grid_create(&one, NULL, &grid), SF_OK);
+    for (uint32_t k = 0; k < l.nz; k++) {
+        CHECK_EQ(sf_sampler_slice(sampler, k, sf_grid_slice(grid, 0), NULL), SF_OK);
+    }
+    CHECK_EQ(sf_sampler_report(sampler, &report), SF_OK);
+    sf_grid_destroy(grid);
+    sf_sampler_destroy(sampler);
+    sf_limit_destroy(limit);
+    return (double)report.solid * l.pitch_x_mm * l.pitch_y_mm * l.layer_mm;
+}
+
+// A step makes cells half as long, and what a straight side leaves out a quarter.
+static void volumes_of_tetrahedra_come_to_the_counted_one(void)
+{
+    for (int kind = 0; kind < 5; kind += 4) {
+        test_cage c = kind_of(kind);
+        sf_cage *cage = test_cage_make(&c);
+        sf_refine_options options = sf_refine_options_default();
+        sf_refinement *r = NULL;
+        options.steps = 4;
+        double counted = counted_volume(&c, 0.02), apart[5] = {0};
+        CHECK_EQ(sf_refine(cage, &options, NULL, NULL, &r), SF_OK);
+        for (uint32_t step = 1; step <= options.steps; step++) {
+            sf_tets *tets = NULL;
+            sf_tets_report report;
+            CHECK_EQ(sf_tets_of_refinement(r, step, NULL, &tets), SF_OK);
+            CHECK_EQ(sf_tets_check(tets, NULL, &report), SF_OK);
+            apart[step] = fabs(report.volume_mm3 / counted - 1);
+            sf_tets_destroy(tets);
+        }
+        printf("# %.6g mm3 counted; by tetrahedra %.3g, %.3g, %.3g, %.3g of that from it\n",
+               counted, apart[1], apart[2], apart[3], apart[4]);
+        CHECK(apart[1] < 0.03 && apart[2] < 0.3 * apart[1] && apart[3] < 0.3 * apart[2]);
+        CHECK(apart[4] < 0.4 * apart[3] && apart[4] < 1e-3); // counting is good to some 1e-4
+        sf_refinement_destroy(r);
+        sf_cage_destroy(cage);
+        test_cage_free(&c);
+    }
+}
+
 // One tetrahedron whose property is linear: what is interpolated is known everywhere.
 static void a_tetrahedron_is_interpolated_and_flat_ones_are_nothing(void)
 {
@@ -367,6 +416,7 @@ int main(void)
     TEST(voxels_are_what_a_search_finds);
     TEST(a_jump_is_exact_and_slices_do_not_depend_on_each_other);
     TEST(tetrahedra_come_to_the_same);
+    TEST(volumes_of_tetrahedra_come_to_the_counted_one);
     TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
     TEST(a_box_holds_the_shape_and_is_hardly_larger);
     TEST(what_cannot_be_sampled_is_refused);
