@@ -64,11 +64,12 @@ static void check_cells(const sf_cage *cage, sf_cage_report *r, sf_fault *fault)
 }
 
 // Volume by the boundary: each of its faces as a fan around its middle, which both cells of a face
-// inside would share.
+// inside would share. Seen from a corner of a cell: a point that no cell uses may be anywhere.
 static double volume(const sf_cage *cage)
 {
     const sfi_complex *c = &cage->complex;
-    const double *origin = cage->positions;
+    uint32_t first = cage->corners[0];
+    const double *origin = cage->positions + 3 * (size_t)first;
     double sum = 0;
     for (uint32_t f = 0; f < c->faces; f++) {
         uint32_t start = c->face_points.starts[f], end = c->face_points.starts[f + 1];
@@ -83,8 +84,8 @@ static double volume(const sf_cage *cage)
         for (uint32_t i = start; c->face_cells[2 * (size_t)f + 1] == SFI_NONE && i < end; i++) {
             uint32_t next = i + 1 < end ? i + 1 : start;
             double a[3], b[3];
-            edge_vector(cage, 0, c->face_points.items[i], a);
-            edge_vector(cage, 0, c->face_points.items[next], b);
+            edge_vector(cage, first, c->face_points.items[i], a);
+            edge_vector(cage, first, c->face_points.items[next], b);
             sum += determinant(a, b, middle) / 6;
         }
     }

@@ -163,14 +163,15 @@ static int same_loop(const builder *b, uint32_t face, uint32_t count, const uint
     return same ? 1 : reverse ? -1 : 0;
 }
 
+// Of the points themselves, in any order: were it of their sum, or of the least of them, all faces
+// around one point could share a slot.
 static size_t hash_loop(uint32_t count, const uint32_t *loop)
 {
-    uint32_t least = loop[0], sum = 0;
+    size_t sum = 0;
     for (uint32_t i = 0; i < count; i++) {
-        least = loop[i] < least ? loop[i] : least;
-        sum += loop[i];
+        sum += hash(loop[i], count);
     }
-    return hash(least, sum);
+    return sum;
 }
 
 static uint32_t add_face(builder *b, uint32_t cell, uint32_t count, const uint32_t *loop)

@@ -12,15 +12,26 @@
 #include <math.h>
 #include <string.h>
 
-// The edge of two points, found by the edges of the first; SFI_NONE if they have none.
+static uint32_t edges_at(const sfi_lists *around, uint32_t point)
+{
+    return around->starts[point + 1] - around->starts[point];
+}
+
+// The edge of two points, found by the edges of that one which has fewer, for where thousands meet
+// in a point each of them may be a crease; SFI_NONE if they have none.
 static uint32_t edge_of(const sfi_complex *c, const sfi_lists *around, const uint32_t points[2])
 {
-    if (points[0] >= c->points || points[1] >= c->points || points[0] == points[1]) {
+    uint32_t a = points[0], b = points[1];
+    if (a >= c->points || b >= c->points || a == b) {
         return SFI_NONE;
     }
-    for (uint32_t i = around->starts[points[0]]; i < around->starts[points[0] + 1]; i++) {
+    if (edges_at(around, a) > edges_at(around, b)) {
+        a = points[1];
+        b = points[0];
+    }
+    for (uint32_t i = around->starts[a]; i < around->starts[a + 1]; i++) {
         const uint32_t *ends = c->edge_points + 2 * (size_t)around->items[i];
-        if (ends[0] == points[1] || ends[1] == points[1]) {
+        if (ends[0] == b || ends[1] == b) {
             return around->items[i];
         }
     }

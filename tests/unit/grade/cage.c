@@ -233,6 +233,52 @@ static void changes_are_checked(void)
     test_cage_free(&c);
 }
 
+// A cube, numbered behind a point that no cell uses and that lies as far away as one can.
+static void loose_points_do_not_weigh(void)
+{
+    test_cage c = test_cage_begin(3, 9, 1, 8), block = test_cage_block(1, 1, 1);
+    memcpy(c.positions + 3, block.positions, 24 * sizeof(double));
+    for (uint32_t i = 0; i < 8; i++) {
+        c.corners[i] = block.corners[i] + 1;
+    }
+    test_cage_place(&c, 0, 1e12, -1e12, 1e12);
+    sf_cage_report r = report_of(&c);
+    CHECK_EQ(r.loose_points, 1);
+    CHECK_NEAR(r.volume_mm3, 1, 1e-12);
+    test_cage_free(&block);
+    test_cage_free(&c);
+}
+
+// So many faces, or creases, in one point that looking at each from each would take minutes.
+static void a_hub_takes_no_longer_than_others(void)
+{
+    enum { SPOKES = 200000 };
+    test_cage fan = test_cage_begin(2, SPOKES + 1, SPOKES, 3);
+    sf_crease *creases = calloc(SPOKES, sizeof *creases);
+    for (uint32_t i = 0; i < SPOKES; i++) {
+        uint32_t corners[3] = {0, 1 + i, 1 + (i + 1) % SPOKES};
+        memcpy(fan.corners + 3 * (size_t)i, corners, sizeof corners);
+        creases[i].points[1] = 1 + i;
+        creases[i].sharpness = 2;
+    }
+    sf_cage_view view = {2,           fan.points, fan.positions, fan.cells, fan.starts,
+                         fan.corners, SPOKES,     creases,       0,         NULL,
+                         0,           NULL};
+    sf_cage *cage = NULL;
+    CHECK_EQ(sf_cage_create(&view, NULL, &cage, NULL), SF_OK);
+    sf_cage_destroy(cage);
+    free(creases);
+    test_cage_free(&fan);
+    // Faces that have their least points and the sums of their points in common.
+    test_cage star = test_cage_begin(3, 4 * (size_t)SPOKES, SPOKES, 4);
+    for (uint32_t i = 0; i < SPOKES; i++) {
+        uint32_t corners[4] = {0, 1 + i, 2 * SPOKES + 1 - i, 2 * SPOKES + 2 + i};
+        memcpy(star.corners + 4 * (size_t)i, corners, sizeof corners);
+    }
+    refuse(&star, SF_ERR_UNSUPPORTED, "point 0");
+    test_cage_free(&star);
+}
+
 static void without_memory_there_is_no_cage(void)
 {
     test_cage c = test_cage_wheel(5, 2, 0);
@@ -271,6 +317,8 @@ int main(void)
     TEST(what_is_sharp_lies_on_the_surface);
     TEST(faces_make_a_cage_of_dimension_2);
     TEST(changes_are_checked);
+    TEST(loose_points_do_not_weigh);
+    TEST(a_hub_takes_no_longer_than_others);
     TEST(without_memory_there_is_no_cage);
     return test_finish();
 }
