@@ -3,7 +3,9 @@
 //
 // The whole file is read into memory first, from any source, and libhdf5 is given that. It may
 // claim what it likes: a table is refused if it is larger than the file could hold, compressed as
-// well as deflate can. Filters that libhdf5 would look for on the disk are forbidden.
+// well as deflate can. Nothing may lead out of it: filters that libhdf5 would look for on the disk
+// are forbidden, links that are not hard are none, and tables whose numbers lie in other files
+// (external and virtual ones) are refused.
 
 #include "io/exchange.h"
 
@@ -109,6 +111,25 @@ static size_t count_rows(hid_t set, const kind *k)
     return good ? (size_t)size[0] : 0;
 }
 
+// Whether the numbers of a table lie in this file.
+static int is_at_home(hid_t set)
+{
+    hid_t list = H5Dget_create_plist(set);
+    int good = list >= 0 && H5Pget_layout(list) != H5D_VIRTUAL && H5Pget_external_count(list) == 0;
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+    return good;
+}
+
+// Whether a name is that of an object itself. Other links name another place, or another file.
+static int is_hard(hid_t place, const char *name)
+{
+    H5L_info_t info;
+    return H5Lexists(place, name, H5P_DEFAULT) > 0 &&
+           H5Lget_info(place, name, &info, H5P_DEFAULT) >= 0 && info.type == H5L_TYPE_HARD;
+}
+
 static sf_status read_set(reader *r, hid_t set, const char *where, const kind *k, size_t *rows,
                           void **data)
 {
@@ -116,6 +137,9 @@ static sf_status read_set(reader *r, hid_t set, const char *where, const kind *k
     *rows = is_kind(set, k) ? count_rows(set, k) : 0;
     if (*rows == 0) {
         return wrong(r, where, k->words);
+    }
+    if (!is_at_home(set)) {
+        return wrong(r, where, "has its numbers in another file");
     }
     if (*rows > (r->size / row + 1) * MOST_EXPANSION) {
         return wrong(r, where, "claims to hold more than the file can");
@@ -135,9 +159,9 @@ static sf_status read_set(reader *r, hid_t set, const char *where, const kind *k
 static sf_status read_table(reader *r, hid_t place, const char *name, const char *where,
                             const kind *k, size_t *rows, void **data)
 {
-    hid_t set = H5Lexists(place, name, H5P_DEFAULT) > 0 ? H5Dopen2(place, name, H5P_DEFAULT) : -1;
+    hid_t set = is_hard(place, name) ? H5Dopen2(place, name, H5P_DEFAULT) : -1;
     if (set < 0) {
-        return wrong(r, where, "is missing");
+        return wrong(r, where, "is missing, no table, or a link to another place");
     }
     sf_status status = read_set(r, set, where, k, rows, data);
     H5Dclose(set);
@@ -148,15 +172,41 @@ static sf_status read_table(reader *r, hid_t place, const char *name, const char
 // Attributes
 // ---------------------------------------------------------------------------------------------
 
-// A text of a fixed size that ends within it.
+// A text of a fixed size.
+static int read_fixed(hid_t attribute, hid_t type, char *text, size_t size)
+{
+    return H5Tget_size(type) < size && H5Aget_storage_size(attribute) == H5Tget_size(type) &&
+           H5Aread(attribute, type, text) >= 0;
+}
+
+// A text of any size, as h5py writes them: libhdf5 takes memory for it.
+static int read_variable(hid_t attribute, hid_t type, char *text, size_t size)
+{
+    char *found = NULL;
+    hid_t space = H5Aget_space(attribute);
+    int good = space >= 0 && H5Sget_simple_extent_npoints(space) == 1 &&
+               H5Aread(attribute, type, &found) >= 0 && found != NULL && strlen(found) < size;
+    if (good) {
+        memcpy(text, found, strlen(found));
+    }
+    if (found != NULL) {
+        H5free_memory(found);
+    }
+    if (space >= 0) {
+        H5Sclose(space);
+    }
+    return good;
+}
+
+// A text that ends within `size` bytes.
 static int read_text(hid_t place, const char *name, char *text, size_t size)
 {
     hid_t attribute = H5Aexists(place, name) > 0 ? H5Aopen(place, name, H5P_DEFAULT) : -1;
     hid_t type = attribute < 0 ? -1 : H5Aget_type(attribute);
-    int good = type >= 0 && H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
-               H5Tget_size(type) < size && H5Aget_storage_size(attribute) == H5Tget_size(type);
+    int good = type >= 0 && H5Tget_class(type) == H5T_STRING;
     memset(text, 0, size);
-    good = good && H5Aread(attribute, type, text) >= 0;
+    good = good && (H5Tis_variable_str(type) > 0 ? read_variable(attribute, type, text, size)
+                                                 : read_fixed(attribute, type, text, size));
     if (type >= 0) {
         H5Tclose(type);
     }
@@ -251,9 +301,9 @@ static sf_status read_channels(reader *r, hid_t properties)
         if (length < 0 || length >= (ssize_t)sizeof name || r->channel_count == SF_PROPERTY_MAX) {
             return wrong(r, "/properties", "has more than 64 entries, or one that is no UUID");
         }
-        hid_t group = H5Gopen2(properties, name, H5P_DEFAULT);
+        hid_t group = is_hard(properties, name) ? H5Gopen2(properties, name, H5P_DEFAULT) : -1;
         if (group < 0) {
-            return wrong(r, "/properties", "has an entry that is no group");
+            return wrong(r, "/properties", "has an entry that is no group, or a link to one");
         }
         sf_status status = read_channel(r, group, name);
         H5Gclose(group);
@@ -291,11 +341,10 @@ static sf_status read_all(reader *r)
     data = NULL;
     SF_TRY(read_table(r, r->file, "tets", "/tets", &tets, &r->tets, &data));
     r->corners = data;
-    hid_t group = H5Lexists(r->file, "properties", H5P_DEFAULT) > 0
-                      ? H5Gopen2(r->file, "properties", H5P_DEFAULT)
-                      : -1;
+    hid_t group =
+        is_hard(r->file, "properties") ? H5Gopen2(r->file, "properties", H5P_DEFAULT) : -1;
     if (group < 0) {
-        return wrong(r, "/properties", "is missing");
+        return wrong(r, "/properties", "is missing, no group, or a link to one");
     }
     sf_status status = read_channels(r, group);
     H5Gclose(group);

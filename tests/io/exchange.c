@@ -4,7 +4,8 @@
 // damage must end in a status. libhdf5 is not ours and was not made for that, so damaged files are
 // read in a child with limits of time and memory: it may say no, run out of them, or even die, but
 // what it reads must be tetrahedra, and nothing of that may reach the parent. With a path as
-// argument, a file is written there, for the test that reads it by h5py.
+// argument, a file is written there, for the test that reads it by h5py; with "read" and a path,
+// what is read there is said, for the test whose files are made by h5py.
 
 #include <sf/exchange.h>
 #include <sf/io.h>
@@ -235,8 +236,27 @@ static void damaged_files_end_in_a_status(void)
 
 #endif
 
+// Say what reading a file ends in.
+static int read_file(const char *path)
+{
+    static unsigned char data[1 << 20];
+    FILE *file = fopen(path, "rb");
+    size_t size = file == NULL ? 0 : fread(data, 1, sizeof data, file);
+    sf_tets *tets = NULL;
+    sf_fault fault = {0};
+    sf_status status = read_bytes(data, size, &tets, &fault);
+    sf_tets_view view = sf_tets_get_view(tets);
+    printf("%d %zu tetrahedra, %zu properties. %s\n", (int)status, view.tet_count,
+           view.channel_count, fault.message);
+    sf_tets_destroy(tets);
+    return file == NULL || fclose(file) != 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc > 2) {
+        return read_file(argv[2]);
+    }
     if (argc > 1 && sf_exchange_is_served()) {
         bytes b = write_pair();
         FILE *file = fopen(argv[1], "wb");

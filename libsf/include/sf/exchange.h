@@ -45,7 +45,8 @@ SF_API SF_CHECKED sf_status sf_exchange_write(const sf_tets *tets, sf_sink sink,
 /**
  * Read an exchange file.
  *
- * What is there beside the layout is passed over. Every count is held against the size of the file
+ * What is there beside the layout is passed over, and nothing outside of the file is looked at:
+ * links to other places or files are refused. Every count is held against the size of the file
  * before memory is taken. But libhdf5 itself was not made for files that mean harm: read those of
  * strangers in a process of its own, with limits.
  *
