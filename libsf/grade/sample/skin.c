@@ -61,6 +61,9 @@ static sf_status collect_sides(cutter *c)
     for (size_t i = 0; i < 6 * (size_t)solid->pieces; i++) {
         count += solid->across[i] == SFI_NONE;
     }
+    if (count == 0) {
+        return SF_ERR_UNSUPPORTED; // cells that close upon themselves: all faces have two
+    }
     c->sides = (uint32_t)count;
     c->starts = sfi_alloc_array(&c->allocator, count + 1, sizeof *c->starts);
     c->corners = sfi_alloc_array(&c->allocator, 4 * count, sizeof *c->corners);

@@ -411,6 +411,28 @@ static void what_cannot_be_sampled_is_refused(void)
     test_cage_free(&c);
 }
 
+// Two tetrahedra that have all four faces in common hang together as a cage may, and enclose
+// nothing.
+static void without_a_boundary_there_is_nothing_to_slice(void)
+{
+    static const uint32_t corners[8] = {0, 1, 2, 3, 1, 0, 2, 3};
+    test_cage c = test_cage_begin(3, 4, 2, 4);
+    memcpy(c.corners, corners, sizeof corners);
+    for (uint32_t i = 0; i < 4; i++) {
+        test_cage_place(&c, i, i == 1, i == 2, i == 3);
+    }
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    sf_lattice l = lattice_around(&c, 0.3);
+    sf_sampler *none = NULL;
+    double low[3] = {1, 2, 3}, high[3] = {4, 5, 6};
+    CHECK_EQ(sf_sampler_create(limit, &l, NULL, 0, NULL, NULL, NULL, &none, NULL),
+             SF_ERR_UNSUPPORTED);
+    CHECK_EQ(sf_limit_bounds(limit, NULL, NULL, low, high), SF_ERR_UNSUPPORTED);
+    CHECK(none == NULL && low[0] == 1 && high[2] == 6);
+    sf_limit_destroy(limit);
+    test_cage_free(&c);
+}
+
 int main(void)
 {
     TEST(voxels_are_what_a_search_finds);
@@ -420,5 +442,6 @@ int main(void)
     TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
     TEST(a_box_holds_the_shape_and_is_hardly_larger);
     TEST(what_cannot_be_sampled_is_refused);
+    TEST(without_a_boundary_there_is_nothing_to_slice);
     return test_finish();
 }
