@@ -30,8 +30,8 @@ extern "C" {
  * @param low_mm     receives the lower corner
  * @param high_mm    receives the upper one: no side is farther from the shape than a thousandth of
  * the box's diagonal, unless the shape is very coarsely bent
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_UNSUPPORTED: a limit of dimension 2, or one
- * without a boundary; SF_ERR_OVERFLOW: a surface of too many triangles; SF_ERR_MEMORY;
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_UNSUPPORTED: a limit of dimension 2, or
+ * one without a boundary; SF_ERR_OVERFLOW: a surface of too many triangles; SF_ERR_MEMORY;
  * SF_ERR_CANCELLED.
  * @cost a microsecond or two for each vertex of the surface.   @threads any, while nobody updates
  * the limit; one at a time for each allocator.
@@ -73,8 +73,8 @@ typedef struct sf_sampler sf_sampler;
  * @param fault          NULL, or receives a sentence on failure
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a lattice or option out of range, no such
  * property; SF_ERR_UNSUPPORTED: a limit of dimension 2 or without a boundary, a shape that lies
- * too far from the lattice's origin; SF_ERR_OVERFLOW: more than SF_SAMPLE_VOXEL_MAX voxels, or a surface of too many
- * triangles; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * too far from the lattice's origin; SF_ERR_OVERFLOW: more than SF_SAMPLE_VOXEL_MAX voxels, or a
+ * surface of too many triangles; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost a microsecond or two for each vertex of the surface; 40 MB for splines that are kept, and
  * as much for each further property that jumps.   @threads any, while nobody updates the limit; one
  * at a time for each allocator.
