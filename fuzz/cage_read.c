@@ -4,38 +4,9 @@
 // Whatever comes in, a cage comes out or a refusal with a sentence; and a cage that came out,
 // written as VTK and read again, is the same cage with the same value at every corner.
 
+#include "target.h"
+
 #include <sf/cage_io.h>
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-typedef struct buffer {
-    unsigned char *bytes;
-    size_t size, capacity;
-} buffer;
-
-static sf_status put(void *user, const void *data, size_t size)
-{
-    buffer *b = user;
-    if (b->size + size > b->capacity) {
-        b->capacity = 2 * (b->size + size);
-        b->bytes = realloc(b->bytes, b->capacity);
-    }
-    memcpy(b->bytes + b->size, data, size);
-    b->size += size;
-    return SF_OK;
-}
-
-static void must(int truth, const char *what)
-{
-    if (!truth) {
-        fprintf(stderr, "broken: %s\n", what);
-        abort();
-    }
-}
 
 static sf_cage *read_as(const void *data, size_t size, sf_cage_format format)
 {

@@ -4,38 +4,7 @@
 // Whatever comes in, a mesh comes out that is valid, or a refusal with a sentence; and a mesh that
 // came out, written as PLY and OBJ and read again, is the same mesh bit for bit.
 
-#include <sf/io.h>
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-typedef struct buffer {
-    unsigned char *bytes;
-    size_t size, capacity;
-} buffer;
-
-static sf_status put(void *user, const void *data, size_t size)
-{
-    buffer *b = user;
-    if (b->size + size > b->capacity) {
-        b->capacity = 2 * (b->size + size);
-        b->bytes = realloc(b->bytes, b->capacity);
-    }
-    memcpy(b->bytes + b->size, data, size);
-    b->size += size;
-    return SF_OK;
-}
-
-static void must(int truth, const char *what)
-{
-    if (!truth) {
-        fprintf(stderr, "broken: %s\n", what);
-        abort();
-    }
-}
+#include "target.h"
 
 static sf_mesh *read_as(const void *data, size_t size, sf_mesh_format format)
 {

@@ -5,13 +5,7 @@
 // or the PBM pictures of a stack with a good document. A valid grid comes out, or a refusal with a
 // sentence.
 
-#include <sf/io.h>
-
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+#include "target.h"
 
 typedef struct files {
     const uint8_t *document, *picture;
@@ -32,14 +26,6 @@ static const char good_pbm[] =
     "\"pattern\":\"layer_%05u.pbm\",\"count\":2},\"solid\":\"white\",\"row_order\":\"top_is_max_"
     "y\"}";
 static const char good_picture[] = "P4\n13 5\n0123456789";
-
-static void must(int truth, const char *what)
-{
-    if (!truth) {
-        fprintf(stderr, "broken: %s\n", what);
-        abort();
-    }
-}
 
 static sf_status open_file(void *user, const char *name, sf_source *source)
 {

@@ -273,4 +273,15 @@ static inline int refused_well(sf_status status, const sf_fault *fault, const sf
            length < SF_FAULT_MESSAGE_SIZE - 1;
 }
 
+// A source that hands out one byte at a time, of a cursor.
+static inline sf_status read_one_byte(void *user, void *data, size_t capacity, size_t *size)
+{
+    sf_memory_cursor *cursor = user;
+    *size = capacity > 0 && cursor->position < cursor->size;
+    if (*size > 0) {
+        memcpy(data, (const unsigned char *)cursor->data + cursor->position++, 1);
+    }
+    return SF_OK;
+}
+
 #endif

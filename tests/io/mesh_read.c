@@ -35,16 +35,6 @@ static void reads_every_kind(void)
     }
 }
 
-static sf_status read_one_byte(void *user, void *data, size_t capacity, size_t *size)
-{
-    sf_memory_cursor *cursor = user;
-    *size = capacity > 0 && cursor->position < cursor->size;
-    if (*size > 0) {
-        memcpy(data, (const unsigned char *)cursor->data + cursor->position++, 1);
-    }
-    return SF_OK;
-}
-
 static void reads_short_reads(void)
 {
     static file f;
