@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What voxels of tetrahedra are: interpolated in those that a slice meets.
 //
-// Tetrahedra are put into bins by the lowest layer whose middle they reach. A slice looks at the
-// bins of its own layer and of as many below as the tallest tetrahedron reaches through. Within a
-// slice the shares of a tetrahedron's corners are linear along a row, so that the voxels it holds
-// are an interval. Solid voxels that none holds, by rounding, get what the next in their row has.
+// Tetrahedra are put into bins by the lowest layer whose middle they reach, and by how many they
+// reach through: 1, up to 2, up to 4 and so on. A slice looks at the bins of its own layer and, of
+// each height, of as many below as those reach through, so that few tall ones do not make it look
+// at all small ones. Within a slice the shares of a tetrahedron's corners are linear along a row,
+// so that the voxels it holds are an interval. Who comes first by number keeps a voxel. Solid
+// voxels that none holds, by rounding, get what the next in their row has.
 
 #include "base/memory.h"
 #include "base/status.h"
@@ -22,12 +24,12 @@ typedef struct rows {
     sf_tets_view tets;
     sfi_faces faces;
     size_t channels[SF_PROPERTY_MAX];
-    uint32_t layers, reach; // of the lattice; and through how many layers the tallest reaches
-    uint32_t *starts;       // of each layer where its tetrahedra begin
-    size_t binned;          // how many there are in all
+    uint32_t layers, heights; // of the lattice; and how many classes of heights there are
+    uint32_t *starts;         // of each height, of each layer where its tetrahedra begin
     uint32_t *bins;
     sf_slice open; // solid voxels that nobody has told of yet
     size_t open_words;
+    uint32_t *owners; // of each voxel that was told of, by which tetrahedron
 } rows;
 
 static void destroy_rows(void *state)
@@ -35,9 +37,11 @@ static void destroy_rows(void *state)
     rows *r = state;
     sf_allocator allocator = r->allocator;
     sfi_faces_free(&r->faces);
-    sfi_free_array(&allocator, r->starts, (size_t)r->layers + 1, sizeof *r->starts);
+    sfi_free_array(&allocator, r->starts, (size_t)r->heights * r->layers + 1, sizeof *r->starts);
     sfi_free_array(&allocator, r->bins, r->tets.tet_count, sizeof *r->bins);
     sfi_free_array(&allocator, r->open.words, r->open_words, sizeof *r->open.words);
+    sfi_free_array(&allocator, r->owners, (size_t)r->open.width * r->open.height,
+                   sizeof *r->owners);
     sfi_free_array(&allocator, r, 1, sizeof *r);
 }
 
@@ -94,6 +98,7 @@ typedef struct telling {
     sf_sampler *s;
     rows *rows;
     double z;
+    sf_slice solid;
     double *const *values;
 } telling;
 
@@ -110,6 +115,11 @@ static void tell_voxel(const telling *t, size_t tet, const double share[4], size
     }
 }
 
+static int is_set(const uint64_t *words, uint32_t x)
+{
+    return (int)(words[x / 64] >> x % 64 & 1);
+}
+
 // Voxels of a row from the first whose middle is not before `low` to the last not behind `high`.
 static int find_interval(const sf_lattice *l, double low, double high, uint32_t *from, uint32_t *to)
 {
@@ -123,11 +133,19 @@ static int find_interval(const sf_lattice *l, double low, double high, uint32_t 
     return 1;
 }
 
+// Whether a voxel is still to be told of, or was by a tetrahedron that comes later by number.
+static int is_wanted(const telling *t, const uint64_t *open, const uint64_t *solid, uint32_t x,
+                     size_t at, size_t tet)
+{
+    return is_set(open, x) || (is_set(solid, x) && t->rows->owners[at] > tet);
+}
+
 static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, double low,
                      double high)
 {
     const sf_lattice *l = &t->s->lattice;
     uint64_t *open = sfi_slice_row(t->rows->open, y);
+    const uint64_t *solid = sfi_slice_row(t->solid, y);
     double dy = sfi_middle(l, 1, y) - s->origin[1], dz = t->z - s->origin[2];
     uint32_t from, to;
     if (!find_interval(l, low, high, &from, &to)) {
@@ -135,7 +153,8 @@ static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, 
     }
     for (uint32_t x = from; x <= to; x++) {
         double dx = sfi_middle(l, 0, x) - s->origin[0], share[4];
-        int within = (int)(open[x / 64] >> x % 64 & 1);
+        size_t at = (size_t)l->nx * y + x;
+        int within = is_wanted(t, open, solid, x, at, tet);
         for (uint32_t i = 0; within && i < 4; i++) {
             share[i] =
                 s->at[i] + s->slopes[i][0] * dx + s->slopes[i][1] * dy + s->slopes[i][2] * dz;
@@ -143,7 +162,8 @@ static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, 
         }
         if (within) {
             open[x / 64] &= ~((uint64_t)1 << x % 64);
-            tell_voxel(t, tet, share, (size_t)l->nx * y + x);
+            t->rows->owners[at] = (uint32_t)tet;
+            tell_voxel(t, tet, share, at);
         }
     }
 }
@@ -194,11 +214,6 @@ static void tell_tet(const telling *t, size_t tet)
     }
 }
 
-static int is_set(const uint64_t *words, uint32_t x)
-{
-    return (int)(words[x / 64] >> x % 64 & 1);
-}
-
 // Open voxels of a row between two that were told of, or an end of the row: each gets what the
 // nearer of the two has.
 static void fill_gap(const telling *t, const uint64_t *open, size_t offset, uint32_t left,
@@ -238,14 +253,17 @@ static sf_status tell(void *state, sf_sampler *s, uint32_t k, double z, sf_slice
                       double *const *values)
 {
     rows *r = state;
-    telling t = {s, r, z, values};
+    telling t = {s, r, z, solid, values};
     for (uint32_t y = 0; y < s->lattice.ny; y++) {
         memcpy(sfi_slice_row(r->open, y), sfi_slice_row(solid, y),
                r->open.stride * sizeof(uint64_t));
     }
-    uint32_t first = k > r->reach ? k - r->reach : 0;
-    for (uint32_t i = r->starts[first]; i < r->starts[k + 1]; i++) {
-        tell_tet(&t, r->bins[i]);
+    for (uint32_t height = 0; height < r->heights; height++) {
+        uint32_t reach = (uint32_t)(((uint64_t)1 << height) - 1), first = k > reach ? k - reach : 0;
+        const uint32_t *starts = r->starts + (size_t)height * r->layers;
+        for (uint32_t i = starts[first]; i < starts[k + 1]; i++) {
+            tell_tet(&t, r->bins[i]);
+        }
     }
     fill_open(&t, solid);
     return SF_OK;
@@ -286,29 +304,61 @@ static uint32_t layers_of(const sf_sampler *s, const sf_tets_view *v, size_t tet
     return end + (touches ? 1 : 0);
 }
 
+// The class of a tetrahedron that reaches the middles of `count` layers, 1 or more: 0 for 1, 1 for
+// 2, 2 for up to 4 and so on, so that those of class h lie within 2^h layers.
+static uint32_t height_of(uint32_t count)
+{
+    uint32_t height = 0;
+    while (height < 32 && ((uint64_t)1 << height) < count) {
+        height++;
+    }
+    return height;
+}
+
+// The bin of a tetrahedron. Returns 0 if it reaches no layer's middle.
+static int bin_of(const sf_sampler *s, const rows *r, size_t tet, size_t *bin)
+{
+    uint32_t first, end = layers_of(s, &r->tets, tet, &first);
+    if (first >= end) {
+        return 0;
+    }
+    *bin = (size_t)height_of(end - first) * r->layers + first;
+    return 1;
+}
+
+// How many classes of heights there are.
+static uint32_t count_heights(const sf_sampler *s, const rows *r)
+{
+    size_t bin, most = 0;
+    for (size_t i = 0; i < r->tets.tet_count; i++) {
+        if (bin_of(s, r, i, &bin)) {
+            most = bin > most ? bin : most;
+        }
+    }
+    return (uint32_t)(most / r->layers) + 1;
+}
+
 static void fill_bins(const sf_sampler *s, rows *r)
 {
-    memset(r->starts, 0, ((size_t)r->layers + 1) * sizeof *r->starts);
+    size_t bins = (size_t)r->heights * r->layers, bin;
+    memset(r->starts, 0, (bins + 1) * sizeof *r->starts);
     for (size_t i = 0; i < r->tets.tet_count; i++) {
-        uint32_t first, end = layers_of(s, &r->tets, i, &first);
-        if (first < end) {
-            r->starts[first]++;
-            r->reach = end - 1 - first > r->reach ? end - 1 - first : r->reach;
+        if (bin_of(s, r, i, &bin)) {
+            r->starts[bin]++;
         }
     }
     uint32_t sum = 0;
-    for (uint32_t k = 0; k <= r->layers; k++) {
+    for (size_t k = 0; k <= bins; k++) {
         uint32_t here = r->starts[k];
         r->starts[k] = sum;
         sum += here;
     }
     for (size_t i = 0; i < r->tets.tet_count; i++) {
-        uint32_t first, end = layers_of(s, &r->tets, i, &first);
-        if (first < end) {
-            r->bins[r->starts[first]++] = (uint32_t)i;
+        if (bin_of(s, r, i, &bin)) {
+            r->bins[r->starts[bin]++] = (uint32_t)i;
         }
     }
-    memmove(r->starts + 1, r->starts, r->layers * sizeof *r->starts);
+    memmove(r->starts + 1, r->starts, bins * sizeof *r->starts);
     r->starts[0] = 0;
 }
 
@@ -317,14 +367,16 @@ static sf_status fill(const sf_lattice *lattice, sf_sampler *s, rows *r, sf_faul
     const sf_allocator *allocator = &r->allocator;
     size_t stride = sfi_row_words(lattice->nx);
     r->layers = lattice->nz;
+    r->heights = count_heights(s, r);
     r->open_words = stride * lattice->ny;
-    r->starts = sfi_alloc_array(allocator, (size_t)r->layers + 1, sizeof *r->starts);
+    r->starts = sfi_alloc_array(allocator, (size_t)r->heights * r->layers + 1, sizeof *r->starts);
     r->bins = sfi_alloc_array(allocator, r->tets.tet_count, sizeof *r->bins);
     r->open.words = sfi_alloc_array(allocator, r->open_words, sizeof *r->open.words);
     r->open.width = lattice->nx;
     r->open.height = lattice->ny;
     r->open.stride = stride;
-    if (r->starts == NULL || r->bins == NULL || r->open.words == NULL) {
+    r->owners = sfi_alloc_array(allocator, (size_t)lattice->nx * lattice->ny, sizeof *r->owners);
+    if (r->starts == NULL || r->bins == NULL || r->open.words == NULL || r->owners == NULL) {
         return SF_ERR_MEMORY;
     }
     fill_bins(s, r);

@@ -330,6 +330,43 @@ static void a_tetrahedron_is_interpolated_and_flat_ones_are_nothing(void)
     sf_tets_destroy(tets);
 }
 
+// Where tetrahedra overlap the first by number is meant, be it tall or low, above or below.
+static void the_first_of_those_that_overlap_is_told(void)
+{
+    for (uint32_t order = 0; order < 2; order++) {
+        double points[24];
+        uint32_t corners[8] = {0, 1, 2, 3, 4, 5, 6, 7}, tall = order == 0 ? 0 : 4;
+        for (uint32_t i = 0; i < 8; i++) {
+            uint32_t corner = i % 4;
+            int is_tall = i - tall < 4;
+            points[3 * i] = corner == 1 ? 8 : 0;
+            points[3 * i + 1] = corner == 2 ? 8 : 0;
+            points[3 * i + 2] = (is_tall ? 0 : 2) + (corner == 3 ? is_tall ? 8 : 1 : 0);
+        }
+        double values[8] = {1, 1, 1, 1, 2, 2, 2, 2};
+        sf_channel density = {sf_property_density(), 8, values, NULL};
+        sf_tets_view view = {8, points, 2, corners, 1, &density};
+        sf_lattice l = {8, 8, 40, 0.25, 0.25, 0.2, NULL, {0, 0, 0}};
+        sf_tets *tets = NULL;
+        sf_sampler *sampler = NULL;
+        sf_grid *grid = NULL;
+        size_t zero = 0;
+        double plane[64], *p = plane;
+        CHECK_EQ(sf_tets_create(&view, NULL, &tets, NULL), SF_OK);
+        CHECK_EQ(sf_sampler_of_tets(tets, &l, 1, &zero, NULL, &sampler, NULL), SF_OK);
+        CHECK_EQ(sf_grid_create(&l, NULL, &grid), SF_OK);
+        for (uint32_t k = 0; k < 40; k++) {
+            sf_slice s = sf_grid_slice(grid, k);
+            CHECK_EQ(sf_sampler_slice(sampler, k, s, &p), SF_OK);
+            double z = 0.2 * (k + 0.5), expected = order == 1 && z > 2 && z < 2.95 ? 1 : 1 + order;
+            CHECK(!bit(s, 0, 0) || plane[0] == expected);
+        }
+        sf_sampler_destroy(sampler);
+        sf_grid_destroy(grid);
+        sf_tets_destroy(tets);
+    }
+}
+
 static void a_box_holds_the_shape_and_is_hardly_larger(void)
 {
     for (int kind = 0; kind < KINDS; kind++) {
@@ -440,6 +477,7 @@ int main(void)
     TEST(tetrahedra_come_to_the_same);
     TEST(volumes_of_tetrahedra_come_to_the_counted_one);
     TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
+    TEST(the_first_of_those_that_overlap_is_told);
     TEST(a_box_holds_the_shape_and_is_hardly_larger);
     TEST(what_cannot_be_sampled_is_refused);
     TEST(without_a_boundary_there_is_nothing_to_slice);
