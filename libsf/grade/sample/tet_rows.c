@@ -6,11 +6,13 @@
 // each height, of as many below as those reach through, so that few tall ones do not make it look
 // at all small ones. Within a slice the shares of a tetrahedron's corners are linear along a row,
 // so that the voxels it holds are an interval. Who comes first by number keeps a voxel. Solid
-// voxels that none holds, by rounding, get what the next in their row has.
+// voxels that none holds, by rounding, get what the next in their row has, or, where there is none,
+// what the nearest tetrahedron has.
 
 #include "base/memory.h"
 #include "base/status.h"
 #include "grade/sample/sampler.h"
+#include "grade/sample/shares.h"
 #include "grade/tetra/faces.h"
 #include "voxel/slice.h"
 
@@ -30,6 +32,7 @@ typedef struct rows {
     sf_slice open; // solid voxels that nobody has told of yet
     size_t open_words;
     uint32_t *owners; // of each voxel that was told of, by which tetrahedron
+    double *nearest;  // how far from a voxel that is in none the nearest one is, squared
 } rows;
 
 static void destroy_rows(void *state)
@@ -42,56 +45,14 @@ static void destroy_rows(void *state)
     sfi_free_array(&allocator, r->open.words, r->open_words, sizeof *r->open.words);
     sfi_free_array(&allocator, r->owners, (size_t)r->open.width * r->open.height,
                    sizeof *r->owners);
+    sfi_free_array(&allocator, r->nearest, (size_t)r->open.width * r->open.height,
+                   sizeof *r->nearest);
     sfi_free_array(&allocator, r, 1, sizeof *r);
 }
 
 // ---------------------------------------------------------------------------------------------
 // Slices
 // ---------------------------------------------------------------------------------------------
-
-// The shares of a tetrahedron's corners as linear functions: at x, y, z of the first corner's
-// frame.
-typedef struct shares {
-    double origin[3];
-    double slopes[4][3];
-    double at[4]; // at the origin
-} shares;
-
-// Returns 0 for a flat one.
-static int find_shares(const sf_tets_view *v, size_t tet, shares *s)
-{
-    const uint32_t *c = v->corners + 4 * tet;
-    double e[3][3];
-    memcpy(s->origin, v->positions + 3 * (size_t)c[0], sizeof s->origin);
-    for (uint32_t i = 0; i < 3; i++) {
-        for (uint32_t axis = 0; axis < 3; axis++) {
-            e[i][axis] = v->positions[3 * (size_t)c[i + 1] + axis] - s->origin[axis];
-        }
-    }
-    double det = 0;
-    for (uint32_t i = 0; i < 3; i++) {
-        const double *a = e[(i + 1) % 3], *b = e[(i + 2) % 3];
-        for (uint32_t axis = 0; axis < 3; axis++) {
-            uint32_t u = (axis + 1) % 3, w = (axis + 2) % 3;
-            s->slopes[i + 1][axis] = a[u] * b[w] - a[w] * b[u];
-        }
-    }
-    for (uint32_t axis = 0; axis < 3; axis++) {
-        det += e[0][axis] * s->slopes[1][axis];
-    }
-    if (!(fabs(det) > 0)) {
-        return 0;
-    }
-    s->at[0] = 1;
-    s->at[1] = s->at[2] = s->at[3] = 0;
-    for (uint32_t axis = 0; axis < 3; axis++) {
-        for (uint32_t i = 1; i < 4; i++) {
-            s->slopes[i][axis] /= det;
-        }
-        s->slopes[0][axis] = -s->slopes[1][axis] - s->slopes[2][axis] - s->slopes[3][axis];
-    }
-    return 1;
-}
 
 // What a slice is to be told.
 typedef struct telling {
@@ -140,7 +101,7 @@ static int is_wanted(const telling *t, const uint64_t *open, const uint64_t *sol
     return is_set(open, x) || (is_set(solid, x) && t->rows->owners[at] > tet);
 }
 
-static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, double low,
+static void tell_row(const telling *t, size_t tet, const sfi_shares *s, uint32_t y, double low,
                      double high)
 {
     const sf_lattice *l = &t->s->lattice;
@@ -169,7 +130,7 @@ static void tell_row(const telling *t, size_t tet, const shares *s, uint32_t y, 
 }
 
 // Where a row meets a tetrahedron: between the largest and the least of where its shares vanish.
-static void row_interval(const shares *s, double dy, double dz, double *low, double *high)
+static void row_interval(const sfi_shares *s, double dy, double dz, double *low, double *high)
 {
     for (uint32_t i = 0; i < 4; i++) {
         double rest = s->at[i] + s->slopes[i][1] * dy + s->slopes[i][2] * dz + SLACK;
@@ -190,16 +151,10 @@ static void tell_tet(const telling *t, size_t tet)
 {
     const sf_tets_view *v = &t->rows->tets;
     const sf_lattice *l = &t->s->lattice;
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    shares s;
-    for (uint32_t i = 0; i < 4; i++) {
-        const double *p = v->positions + 3 * (size_t)v->corners[4 * tet + i];
-        for (uint32_t axis = 0; axis < 3; axis++) {
-            low[axis] = p[axis] < low[axis] ? p[axis] : low[axis];
-            high[axis] = p[axis] > high[axis] ? p[axis] : high[axis];
-        }
-    }
-    if (high[2] < t->z || low[2] > t->z || !find_shares(v, tet, &s)) {
+    double low[3], high[3];
+    sfi_shares s;
+    sfi_tet_box(v, tet, low, high);
+    if (high[2] < t->z || low[2] > t->z || !sfi_shares_find(v, tet, &s)) {
         return;
     }
     double first = -floor(-((low[1] - l->origin_mm[1]) / l->pitch_y_mm - 0.5 - 1e-6));
@@ -228,11 +183,15 @@ static void fill_gap(const telling *t, const uint64_t *open, size_t offset, uint
     }
 }
 
-static void fill_open(const telling *t, sf_slice solid)
+// Fill gaps in rows. Returns whether there are rows with solid voxels none of which was told of;
+// only those are open afterwards.
+static int fill_open(const telling *t)
 {
     uint32_t nx = t->s->lattice.nx;
+    int rest = 0;
     for (uint32_t y = 0; y < t->s->lattice.ny; y++) {
-        const uint64_t *open = sfi_slice_row(t->rows->open, y), *row = sfi_slice_row(solid, y);
+        uint64_t *open = sfi_slice_row(t->rows->open, y);
+        const uint64_t *row = sfi_slice_row(t->solid, y);
         uint32_t left = nx, count = 0; // the last voxel that was told of; open ones since
         for (uint32_t x = 0; x <= nx; x++) {
             if (x < nx && is_set(open, x)) {
@@ -242,9 +201,105 @@ static void fill_open(const telling *t, sf_slice solid)
                     fill_gap(t, open, (size_t)nx * y, left, x);
                     t->s->report.filled += count;
                 }
-                left = x;
+                rest |= x == nx && left == nx && count > 0;
+                left = x == nx ? left : x;
                 count = 0;
             }
+        }
+        if (left < nx) {
+            memset(open, 0, t->rows->open.stride * sizeof *open);
+        }
+    }
+    return rest;
+}
+
+// How far a place is from where the shares, those below 0 taken for 0, lie; squared.
+static double move_within(const sf_tets_view *v, size_t tet, const double place[3], double share[4])
+{
+    double sum = 0, distance = 0;
+    for (uint32_t i = 0; i < 4; i++) {
+        share[i] = share[i] > 0 ? share[i] : 0;
+        sum += share[i];
+    }
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        double away = 0;
+        for (uint32_t i = 0; i < 4; i++) {
+            const double *p = v->positions + 3 * (size_t)v->corners[4 * tet + i];
+            away += share[i] / sum * (p[axis] - place[axis]);
+        }
+        distance += away * away;
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        share[i] /= sum;
+    }
+    return distance;
+}
+
+static void tell_near_voxel(const telling *t, size_t tet, const sfi_shares *s, uint32_t x,
+                            uint32_t y)
+{
+    const sf_lattice *l = &t->s->lattice;
+    double place[3] = {sfi_middle(l, 0, x), sfi_middle(l, 1, y), t->z}, share[4];
+    size_t at = (size_t)l->nx * y + x;
+    for (uint32_t i = 0; i < 4; i++) {
+        share[i] = s->at[i];
+        for (uint32_t axis = 0; axis < 3; axis++) {
+            share[i] += s->slopes[i][axis] * (place[axis] - s->origin[axis]);
+        }
+    }
+    double distance = move_within(&t->rows->tets, tet, place, share);
+    if (distance < t->rows->nearest[at] ||
+        (distance <= t->rows->nearest[at] && tet < t->rows->owners[at])) {
+        t->rows->nearest[at] = distance;
+        t->rows->owners[at] = (uint32_t)tet;
+        tell_voxel(t, tet, share, at);
+    }
+}
+
+// Tell open voxels that are at most one voxel away from a tetrahedron's box, if it is the nearest.
+static void tell_near(const telling *t, size_t tet, double height)
+{
+    const sf_lattice *l = &t->s->lattice;
+    double low[3], high[3];
+    sfi_shares s;
+    sfi_tet_box(&t->rows->tets, tet, low, high);
+    if (high[2] < t->z - height || low[2] > t->z + height ||
+        !sfi_shares_find(&t->rows->tets, tet, &s)) {
+        return;
+    }
+    double first = floor((low[1] - l->origin_mm[1]) / l->pitch_y_mm - 1);
+    double last = floor((high[1] - l->origin_mm[1]) / l->pitch_y_mm + 1);
+    for (double y = first > 0 ? first : 0; y <= last && y < l->ny; y++) {
+        const uint64_t *open = sfi_slice_row(t->rows->open, (uint32_t)y);
+        uint32_t from, to;
+        if (find_interval(l, low[0] - l->pitch_x_mm, high[0] + l->pitch_x_mm, &from, &to)) {
+            for (uint32_t x = from; x <= to; x++) {
+                if (is_set(open, x)) {
+                    tell_near_voxel(t, tet, &s, x, (uint32_t)y);
+                }
+            }
+        }
+    }
+}
+
+typedef void visit(const telling *t, size_t tet, double height);
+
+static void tell_within(const telling *t, size_t tet, double height)
+{
+    (void)height;
+    tell_tet(t, tet);
+}
+
+// All tetrahedra that may reach layer k's middle, or lie between it and that of layer `last`.
+static void visit_bins(const telling *t, uint32_t k, uint32_t last, visit *visit_one)
+{
+    const rows *r = t->rows;
+    double height = t->s->bottoms[k + 1] - t->s->bottoms[k];
+    for (uint32_t class = 0; class < r->heights; class ++) {
+        uint32_t reach = (uint32_t)(((uint64_t)1 << class) - 1), first = k > reach ? k - reach : 0;
+        const uint32_t *starts = r->starts + (size_t) class * r->layers;
+        for (uint32_t i = starts[first]; i < starts[last + 1]; i++) {
+            visit_one(t, r->bins[i], height);
         }
     }
 }
@@ -258,14 +313,13 @@ static sf_status tell(void *state, sf_sampler *s, uint32_t k, double z, sf_slice
         memcpy(sfi_slice_row(r->open, y), sfi_slice_row(solid, y),
                r->open.stride * sizeof(uint64_t));
     }
-    for (uint32_t height = 0; height < r->heights; height++) {
-        uint32_t reach = (uint32_t)(((uint64_t)1 << height) - 1), first = k > reach ? k - reach : 0;
-        const uint32_t *starts = r->starts + (size_t)height * r->layers;
-        for (uint32_t i = starts[first]; i < starts[k + 1]; i++) {
-            tell_tet(&t, r->bins[i]);
+    visit_bins(&t, k, k, tell_within);
+    if (fill_open(&t)) {
+        for (size_t i = 0; i < (size_t)s->lattice.nx * s->lattice.ny; i++) {
+            r->nearest[i] = INFINITY;
         }
+        visit_bins(&t, k, k + 1 < r->layers ? k + 1 : k, tell_near);
     }
-    fill_open(&t, solid);
     return SF_OK;
 }
 
@@ -315,37 +369,32 @@ static uint32_t height_of(uint32_t count)
     return height;
 }
 
-// The bin of a tetrahedron. Returns 0 if it reaches no layer's middle.
-static int bin_of(const sf_sampler *s, const rows *r, size_t tet, size_t *bin)
+// The bin of a tetrahedron. One that reaches no layer's middle is in that of the next above it, for
+// what it may be the nearest of.
+static size_t bin_of(const sf_sampler *s, const rows *r, size_t tet)
 {
     uint32_t first, end = layers_of(s, &r->tets, tet, &first);
-    if (first >= end) {
-        return 0;
-    }
-    *bin = (size_t)height_of(end - first) * r->layers + first;
-    return 1;
+    uint32_t height = height_of(first < end ? end - first : 1);
+    return (size_t)height * r->layers + (first < r->layers ? first : r->layers - 1);
 }
 
 // How many classes of heights there are.
 static uint32_t count_heights(const sf_sampler *s, const rows *r)
 {
-    size_t bin, most = 0;
+    size_t most = 0;
     for (size_t i = 0; i < r->tets.tet_count; i++) {
-        if (bin_of(s, r, i, &bin)) {
-            most = bin > most ? bin : most;
-        }
+        size_t bin = bin_of(s, r, i);
+        most = bin > most ? bin : most;
     }
     return (uint32_t)(most / r->layers) + 1;
 }
 
 static void fill_bins(const sf_sampler *s, rows *r)
 {
-    size_t bins = (size_t)r->heights * r->layers, bin;
+    size_t bins = (size_t)r->heights * r->layers;
     memset(r->starts, 0, (bins + 1) * sizeof *r->starts);
     for (size_t i = 0; i < r->tets.tet_count; i++) {
-        if (bin_of(s, r, i, &bin)) {
-            r->starts[bin]++;
-        }
+        r->starts[bin_of(s, r, i)]++;
     }
     uint32_t sum = 0;
     for (size_t k = 0; k <= bins; k++) {
@@ -354,9 +403,7 @@ static void fill_bins(const sf_sampler *s, rows *r)
         sum += here;
     }
     for (size_t i = 0; i < r->tets.tet_count; i++) {
-        if (bin_of(s, r, i, &bin)) {
-            r->bins[r->starts[bin]++] = (uint32_t)i;
-        }
+        r->bins[r->starts[bin_of(s, r, i)]++] = (uint32_t)i;
     }
     memmove(r->starts + 1, r->starts, bins * sizeof *r->starts);
     r->starts[0] = 0;
@@ -376,7 +423,9 @@ static sf_status fill(const sf_lattice *lattice, sf_sampler *s, rows *r, sf_faul
     r->open.height = lattice->ny;
     r->open.stride = stride;
     r->owners = sfi_alloc_array(allocator, (size_t)lattice->nx * lattice->ny, sizeof *r->owners);
-    if (r->starts == NULL || r->bins == NULL || r->open.words == NULL || r->owners == NULL) {
+    r->nearest = sfi_alloc_array(allocator, (size_t)lattice->nx * lattice->ny, sizeof *r->nearest);
+    if (r->starts == NULL || r->bins == NULL || r->open.words == NULL || r->owners == NULL ||
+        r->nearest == NULL) {
         return SF_ERR_MEMORY;
     }
     fill_bins(s, r);

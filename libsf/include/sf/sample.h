@@ -91,7 +91,8 @@ SF_API SF_CHECKED sf_status sf_sampler_create(const sf_limit *limit, const sf_la
  *
  * A voxel is solid where the winding number of the tetrahedra's boundary about its centre is at
  * least one half, and has what is interpolated between the corners of the first tetrahedron that
- * holds its centre. Slices are made as from a limit, by sf_sampler_slice().
+ * holds its centre; where rounding leaves it in none, what the next voxel in its row has, or the
+ * nearest tetrahedron. Slices are made as from a limit, by sf_sampler_slice().
  *
  * @param tets           the tetrahedra; they must stay, and be as they are, while the sampler is
  * used

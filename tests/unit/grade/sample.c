@@ -367,6 +367,47 @@ static void the_first_of_those_that_overlap_is_told(void)
     }
 }
 
+// At tips a row has one voxel, which rounding may take out of the tetrahedron: it is no less dense.
+static void no_solid_voxel_is_left_out(void)
+{
+    uint64_t solid = 0, filled = 0, empty = 0;
+    for (int round = 0; round < 300; round++) {
+        double points[12], values[4] = {1000, 1001, 1000, 1001}, plane[64 * 64], *p = plane;
+        uint32_t corners[4] = {0, 1, 2, 3};
+        for (int i = 0; i < 12; i++) {
+            points[i] = 4 * test_random_unit();
+        }
+        sf_channel density = {sf_property_density(), 4, values, NULL};
+        sf_tets_view view = {4, points, 1, corners, 1, &density};
+        sf_lattice l = {64, 64, 64, 1.0 / 16, 1.0 / 16, 1.0 / 16, NULL, {0, 0, 0}};
+        sf_tets *tets = NULL;
+        sf_sampler *sampler = NULL;
+        sf_grid *grid = NULL;
+        sf_sample_report report;
+        size_t zero = 0;
+        CHECK_EQ(sf_tets_create(&view, NULL, &tets, NULL), SF_OK);
+        CHECK_EQ(sf_sampler_of_tets(tets, &l, 1, &zero, NULL, &sampler, NULL), SF_OK);
+        CHECK_EQ(sf_grid_create(&l, NULL, &grid), SF_OK);
+        for (uint32_t k = 0; k < 64; k++) {
+            sf_slice s = sf_grid_slice(grid, k);
+            CHECK_EQ(sf_sampler_slice(sampler, k, s, &p), SF_OK);
+            for (uint32_t i = 0; i < 64 * 64; i++) {
+                empty += bit(s, i % 64, i / 64) && !(plane[i] > 999.99 && plane[i] < 1001.01);
+            }
+        }
+        CHECK_EQ(sf_sampler_report(sampler, &report), SF_OK);
+        solid += report.solid;
+        filled += report.filled;
+        sf_grid_destroy(grid);
+        sf_sampler_destroy(sampler);
+        sf_tets_destroy(tets);
+    }
+    printf("# of %llu voxels %llu are in no tetrahedron\n", (unsigned long long)solid,
+           (unsigned long long)filled);
+    CHECK(filled > 0 && filled < solid / 1000);
+    CHECK_EQ(empty, 0);
+}
+
 static void a_box_holds_the_shape_and_is_hardly_larger(void)
 {
     for (int kind = 0; kind < KINDS; kind++) {
@@ -478,6 +519,7 @@ int main(void)
     TEST(volumes_of_tetrahedra_come_to_the_counted_one);
     TEST(a_tetrahedron_is_interpolated_and_flat_ones_are_nothing);
     TEST(the_first_of_those_that_overlap_is_told);
+    TEST(no_solid_voxel_is_left_out);
     TEST(a_box_holds_the_shape_and_is_hardly_larger);
     TEST(what_cannot_be_sampled_is_refused);
     TEST(without_a_boundary_there_is_nothing_to_slice);
