@@ -108,7 +108,7 @@ static int read_colour(const json_t *found, uint32_t index, uint8_t colour[3])
     if (found == NULL) {
         return 1;
     }
-    if (text == NULL || strlen(text) != 7 ||
+    if (text == NULL || strlen(text) != 7 || strspn(text + 1, "0123456789abcdefABCDEF") != 6 ||
         sscanf(text, "#%2x%2x%2x%c", &red, &green, &blue, &end) != 3) {
         return 0;
     }
@@ -182,6 +182,9 @@ static exit_status make_curve(cli_job *job, const measured *all, materials *made
     sf_curve_sample samples[SF_MIXTURE_MAX];
     for (size_t i = 0; i < all->count; i++) {
         sf_curve_sample sample = {all->fractions[2 * i + 1], all->values[i], 1};
+        if (!(all->fractions[2 * i] >= 0 && all->fractions[2 * i + 1] >= 0)) {
+            return fail(job, "fractions are not below 0.");
+        }
         if (fabs(all->fractions[2 * i] + all->fractions[2 * i + 1] - 1) > 1e-6) {
             return fail(job, "the fractions of each mixture add up to 1.");
         }

@@ -66,6 +66,16 @@ sed 's/"values": \[0.5\]/"values": [1]/' three.json >twice.json
 exits 3 grade cage.vtk --materials twice.json -o none
 grep -q "no two mixtures can have the same value" stderr
 ok $? "and says so"
+sed 's/#2060c0/#-1-1-1/' three.json >colour.json
+exits 3 grade cage.vtk --materials colour.json -o none
+cat >below.json <<'END'
+{"format": "libsf-materials", "version": 1, "materials": [{"name": "soft"}, {"name": "stiff"}],
+ "properties": ["stiffness"],
+ "mixtures": [{"fractions": [1, 0], "values": [0]}, {"fractions": [-5, 6], "values": [1]}]}
+END
+exits 3 grade cage.vtk --materials below.json -o none
+grep -q "fractions are not below 0" stderr
+ok $? "and says so"
 sed 's/^0 0 0$/9 9 9/' cage.vtk >inverted.vtk
 exits 3 grade inverted.vtk -o none
 grep -q "cell 0 is inverted or flat" stderr

@@ -46,6 +46,7 @@ sf_status sf_cage_map_values(sf_cage *cage, size_t channel, sf_cage_value_functi
     for (size_t i = 0; status == SF_OK && i < count; i++) {
         size_t point = c->indices == NULL ? i : cage->corners[i];
         size_t value = c->indices == NULL ? i : c->indices[i];
+        values[value] = c->values[value]; // not what another corner has made of it
         status =
             function(user, cage->positions + 3 * point, &values[value]) ? SF_OK : SF_ERR_CANCELLED;
     }

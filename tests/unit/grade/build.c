@@ -271,8 +271,35 @@ static void functions_of_places_are_called_for_each(void)
     test_cage_free(&c);
 }
 
+static int twice(void *user, const double at[3], double *value)
+{
+    (void)user;
+    (void)at;
+    *value *= 2;
+    return 1;
+}
+
+// A value that eight corners name is what it was for each of them, not what the last made of it.
+static void functions_find_values_as_they_were(void)
+{
+    test_cage c = test_cage_block(2, 2, 2);
+    c.value_count = 2;
+    c.values = calloc(2, sizeof *c.values);
+    c.indices = calloc(64, sizeof *c.indices);
+    c.values[0] = 3;
+    c.values[1] = 5;
+    c.indices[7] = 1;
+    sf_cage *cage = test_cage_make(&c);
+    CHECK_EQ(sf_cage_map_values(cage, 0, twice, NULL, NULL), SF_OK);
+    CHECK(sf_cage_get_view(cage).channels[0].values[0] == 6);
+    CHECK(sf_cage_get_view(cage).channels[0].values[1] == 10);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
 int main(void)
 {
+    TEST(functions_find_values_as_they_were);
     TEST(blocks_are_boxes);
     TEST(faces_are_drawn_along_a_line);
     TEST(faces_are_turned_about_an_axis);
