@@ -300,14 +300,18 @@ sf_status sfi_skin_make(const sf_limit *limit, double tolerance_mm, const sf_all
     c.limit = limit;
     c.positions = limit->refined->positions[1];
     c.allocator = made.allocator = *allocator;
+    sfi_progress progress = sfi_progress_begin(task);
+    sfi_part part;
     sf_status status = collect_sides(&c);
     if (status == SF_OK) {
-        status = chart_surface(&c, task);
+        sfi_part_begin(&part, &progress, 0, 0.5);
+        status = chart_surface(&c, &part.task);
     }
     if (status == SF_OK) {
         choose_strips(&c, tolerance_mm);
         made.error_mm = c.bound / ((double)c.strips * c.strips);
-        status = fill(&c, task, &made);
+        sfi_part_begin(&part, &progress, 0.5, 1);
+        status = fill(&c, &part.task, &made);
     }
     free_cutter(&c);
     if (status == SF_OK) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Why: who paints changes values and asks again, from a window that must not die. Updates are held
 // against limits made anew, many places at once against one by one; what cannot be asked is refused
-// and writes nothing; without memory there is no limit, and nothing is left behind.
+// and writes nothing; without memory there is no limit, and nothing is left behind. Progress never
+// falls, and whoever cancels gets nothing.
 
 #include "failing_allocator.h"
 #include "limits.h"
+
+#include <sf/sample.h>
 
 enum { COUNT = 1500 };
 
@@ -100,10 +103,72 @@ static void without_memory_there_is_no_limit(void)
     test_cage_free(&c);
 }
 
+typedef struct watch {
+    sf_task task;
+    double last;
+    int falls, calls, cancel_at;
+} watch;
+
+static void look(void *user, double fraction)
+{
+    watch *w = user;
+    w->falls += fraction < w->last || fraction > 1;
+    w->last = fraction;
+    if (++w->calls == w->cancel_at) {
+        sf_task_cancel(&w->task);
+    }
+}
+
+static sf_status run(int call, const sf_cage *cage, const sf_limit *limit, watch *w)
+{
+    double low[3], high[3];
+    sf_limit *made = NULL;
+    sf_sampler *sampler = NULL;
+    sf_refinement *refined = NULL;
+    sf_lattice l = {20, 20, 20, 0.4, 0.4, 0.4, NULL, {0, 0, 0}};
+    sf_refine_options steps = sf_refine_options_default();
+    steps.steps = 3;
+    w->task = sf_task_default();
+    w->task.progress = look;
+    w->task.user = w;
+    w->last = 0;
+    w->falls = w->calls = 0;
+    sf_status status =
+        call == 0   ? sf_limit_create(cage, SF_REFINE_STANDARD, NULL, &w->task, &made)
+        : call == 1 ? sf_refine(cage, &steps, NULL, &w->task, &refined)
+        : call == 2 ? sf_limit_bounds(limit, NULL, &w->task, low, high)
+                    : sf_sampler_create(limit, &l, NULL, 0, NULL, NULL, &w->task, &sampler, NULL);
+    CHECK(status == SF_OK || (made == NULL && refined == NULL && sampler == NULL));
+    sf_limit_destroy(made);
+    sf_refinement_destroy(refined);
+    sf_sampler_destroy(sampler);
+    return status;
+}
+
+static void progress_never_falls_and_cancelling_leaves_nothing(void)
+{
+    test_cage c = test_cage_block(8, 8, 8);
+    sf_cage *cage = test_cage_make(&c);
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    for (int call = 0; call < 4; call++) {
+        watch w;
+        w.cancel_at = 0;
+        CHECK_EQ(run(call, cage, limit, &w), SF_OK);
+        CHECK(w.falls == 0 && w.calls > 1);
+        w.cancel_at = 1;
+        CHECK_EQ(run(call, cage, limit, &w), SF_ERR_CANCELLED);
+        CHECK_EQ(w.falls, 0);
+    }
+    sf_limit_destroy(limit);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
 int main(void)
 {
     TEST(updates_are_those_of_a_limit_made_anew);
     TEST(what_cannot_be_asked_is_refused);
     TEST(without_memory_there_is_no_limit);
+    TEST(progress_never_falls_and_cancelling_leaves_nothing);
     return test_finish();
 }
