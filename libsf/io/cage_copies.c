@@ -3,9 +3,9 @@
 //
 // Formats for looking at things have one value for each point, or one for each cell. A property
 // that jumps from one cell to the next has neither, so the point between them is written twice.
-// Corners of a point share a copy if all of the properties that need copies agree there. A point
-// has as many copies as cells around it at the most, so that a list is searched faster than a
-// table.
+// Corners of a point share a copy if all of the properties that need copies agree there. Copies are
+// looked up in a hash table, by their points and values: a list for each point would do where a few
+// cells meet, but thousands may.
 
 #include "io/cage_copies.h"
 
@@ -49,26 +49,45 @@ static int agree(const sf_cage_view *view, const sfi_channel_form *forms, uint32
     return 1;
 }
 
-// The copy of a corner's point that has the corner's values, made if there is none.
+static uint64_t mix(uint64_t h, uint64_t word)
+{
+    h = (h ^ word) * 0x9e3779b97f4a7c15u;
+    return h ^ h >> 31;
+}
+
+static uint64_t hash_corner(const sf_cage_view *view, const sfi_channel_form *forms,
+                            uint32_t corner)
+{
+    uint64_t h = mix(0, view->corners[corner]);
+    for (size_t i = 0; i < view->channel_count; i++) {
+        double value = forms[i] == SFI_BY_COPY ? sfi_corner_value(view, i, corner) : 0;
+        uint64_t bits = 0; // of zero, of either sign
+        if (value != 0) {
+            memcpy(&bits, &value, sizeof bits);
+        }
+        h = mix(h, bits);
+    }
+    return h;
+}
+
+// The copy of a corner's point that has the corner's values, made if there is none. The first of a
+// point is that point.
 static uint32_t copy_for(sfi_copies *c, const sf_cage_view *view, const sfi_channel_form *forms,
                          uint32_t corner)
 {
-    uint32_t copy = view->corners[corner], last = copy;
-    if (c->corner_of[copy] == NONE) {
-        c->corner_of[copy] = corner;
-        return copy;
+    uint32_t point = view->corners[corner];
+    size_t mask = c->slot_count - 1, at = (size_t)hash_corner(view, forms, corner) & mask;
+    for (; c->slots[at] != NONE; at = (at + 1) & mask) {
+        uint32_t copy = c->slots[at];
+        if (c->point_of[copy] == point && agree(view, forms, c->corner_of[copy], corner)) {
+            return copy;
+        }
     }
-    while (copy != NONE && !agree(view, forms, c->corner_of[copy], corner)) {
-        last = copy;
-        copy = c->next[copy];
-    }
-    if (copy == NONE) {
-        copy = (uint32_t)(c->points + c->extra++);
-        c->next[last] = copy;
-        c->next[copy] = NONE;
-        c->point_of[copy] = view->corners[corner];
-        c->corner_of[copy] = corner;
-    }
+    int is_first = c->corner_of[point] == NONE;
+    uint32_t copy = is_first ? point : (uint32_t)(c->points + c->extra++);
+    c->slots[at] = copy;
+    c->point_of[copy] = point;
+    c->corner_of[copy] = corner;
     return copy;
 }
 
@@ -85,7 +104,8 @@ static int needs_copies(const sf_cage_view *view, const sfi_channel_form *forms)
 sf_status sfi_copies_make(sfi_copies *copies, const sf_cage_view *view,
                           const sfi_channel_form *forms, const sf_allocator *allocator)
 {
-    sfi_copies c = {view->point_count, view->starts[view->cell_count], 0, NULL, NULL, NULL, NULL};
+    sfi_copies c = {
+        view->point_count, view->starts[view->cell_count], 0, NULL, NULL, NULL, NULL, 1};
     *copies = c;
     if (!needs_copies(view, forms)) {
         return SF_OK;
@@ -97,15 +117,19 @@ sf_status sfi_copies_make(sfi_copies *copies, const sf_cage_view *view,
     c.items = sfi_alloc_array(allocator, c.corners, sizeof *c.items);
     c.point_of = sfi_alloc_array(allocator, most, sizeof *c.point_of);
     c.corner_of = sfi_alloc_array(allocator, most, sizeof *c.corner_of);
-    c.next = sfi_alloc_array(allocator, most, sizeof *c.next);
+    while (c.slot_count <= 2 * c.corners) {
+        c.slot_count *= 2;
+    }
+    c.slots = sfi_alloc_array(allocator, c.slot_count, sizeof *c.slots);
     *copies = c;
-    if (c.items == NULL || c.point_of == NULL || c.corner_of == NULL || c.next == NULL) {
+    if (c.items == NULL || c.point_of == NULL || c.corner_of == NULL || c.slots == NULL) {
         return SF_ERR_MEMORY;
     }
     for (uint32_t i = 0; i < c.points; i++) {
         c.point_of[i] = i;
-        c.corner_of[i] = c.next[i] = NONE;
+        c.corner_of[i] = NONE;
     }
+    memset(c.slots, 0xff, c.slot_count * sizeof *c.slots);
     for (uint32_t i = 0; i < c.corners; i++) {
         c.items[i] = copy_for(&c, view, forms, i);
     }
@@ -116,7 +140,7 @@ sf_status sfi_copies_make(sfi_copies *copies, const sf_cage_view *view,
 void sfi_copies_free(sfi_copies *copies, const sf_allocator *allocator)
 {
     size_t most = copies->points + copies->corners;
-    sfi_free_array(allocator, copies->next, most, sizeof *copies->next);
+    sfi_free_array(allocator, copies->slots, copies->slot_count, sizeof *copies->slots);
     sfi_free_array(allocator, copies->corner_of, most, sizeof *copies->corner_of);
     sfi_free_array(allocator, copies->point_of, most, sizeof *copies->point_of);
     sfi_free_array(allocator, copies->items, copies->corners, sizeof *copies->items);

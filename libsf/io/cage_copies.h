@@ -20,7 +20,8 @@ typedef struct sfi_copies {
     uint32_t *items;     // for each corner of the cage, its copy
     uint32_t *point_of;  // for each copy, its point
     uint32_t *corner_of; // for each copy, a corner that has its values; UINT32_MAX: none
-    uint32_t *next;      // for each copy, the next of its point; UINT32_MAX: there is none
+    uint32_t *slots;     // copies by what they are, while they are made; UINT32_MAX: free
+    size_t slot_count;   // a power of two, more than twice the corners
 } sfi_copies;
 
 // What a property has at a corner.

@@ -15,6 +15,7 @@
 #include "base/status.h"
 #include "io/cage_hanging.h"
 #include "io/cage_turn.h"
+#include "mesh/heap.h"
 
 #include <string.h>
 
@@ -281,12 +282,43 @@ static sf_status add_references(making *m)
     return add_by_cell(m, &property, NULL);
 }
 
-// Where all copies of a point have the same value, the points have it; elsewhere each corner names
-// the first copy of its point that has its value. `firsts`: for each point, its first copy;
-// `nexts`: for each copy, the next of the same point.
-static sf_status add_joined(making *m, const sfi_raw_array *array, const uint32_t *firsts,
-                            const uint32_t *nexts)
+// Copies in the order of their points, then of their values, then of their numbers.
+typedef struct copy_order {
+    const uint32_t *joins;
+    const double *values;
+} copy_order;
+
+static int copy_before(const void *user, uint32_t a, uint32_t b)
 {
+    const copy_order *o = user;
+    if (o->joins[a] != o->joins[b]) {
+        return o->joins[a] < o->joins[b];
+    }
+    return o->values[a] != o->values[b] ? o->values[a] < o->values[b] : a < b;
+}
+
+// For each copy the first one of its point that has its value. They are sorted, since thousands of
+// cells may meet in a point. `order` is scratch.
+static void find_first_alike(const copy_order *o, size_t copies, uint32_t *order, uint32_t *alike)
+{
+    for (uint32_t i = 0; i < copies; i++) {
+        order[i] = i;
+    }
+    sfi_heap_sort(order, copies, copy_before, o);
+    for (size_t i = 0; i < copies; i++) {
+        uint32_t copy = order[i], last = i > 0 ? order[i - 1] : copy;
+        int same = o->joins[copy] == o->joins[last] && o->values[copy] == o->values[last];
+        alike[copy] = i > 0 && same ? alike[last] : copy;
+    }
+}
+
+// Where all copies of a point have the same value, the points have it; elsewhere each corner names
+// the first copy of its point that has its value. `firsts`: for each point, its first copy; `order`
+// and `alike`: scratch, one for each copy.
+static sf_status add_joined(making *m, const sfi_raw_array *array, const uint32_t *firsts,
+                            uint32_t *order, uint32_t *alike)
+{
+    copy_order o = {m->raw->joins, array->values};
     int jumps = 0;
     for (size_t i = 0; i < array->count && !jumps; i++) {
         jumps = array->values[i] != array->values[firsts[m->raw->joins[i]]];
@@ -300,12 +332,9 @@ static sf_status add_joined(making *m, const sfi_raw_array *array, const uint32_
         return SF_OK;
     }
     memcpy(values, array->values, array->count * sizeof *values);
+    find_first_alike(&o, array->count, order, alike);
     for (size_t i = 0; i < m->corners; i++) {
-        uint32_t copy = firsts[m->items[i]];
-        while (copy != m->copies[i] && values[copy] != values[m->copies[i]]) {
-            copy = nexts[copy];
-        }
-        m->indices[m->channel_count - 1][i] = copy;
+        m->indices[m->channel_count - 1][i] = alike[m->copies[i]];
     }
     return SF_OK;
 }
@@ -319,17 +348,18 @@ static sf_status add_by_point(making *m, const sfi_raw_array *array)
         return SF_OK;
     }
     uint32_t *firsts = sfi_alloc_array(m->allocator, m->points, sizeof *firsts);
-    uint32_t *nexts = sfi_alloc_array(m->allocator, copies, sizeof *nexts);
+    uint32_t *order = sfi_alloc_array(m->allocator, copies, sizeof *order);
+    uint32_t *alike = sfi_alloc_array(m->allocator, copies, sizeof *alike);
     sf_status status = SF_ERR_MEMORY;
-    if (firsts != NULL && nexts != NULL) {
+    if (firsts != NULL && order != NULL && alike != NULL) {
         memset(firsts, 0xff, m->points * sizeof *firsts);
         for (size_t i = copies; i-- > 0;) {
-            nexts[i] = firsts[m->raw->joins[i]];
             firsts[m->raw->joins[i]] = (uint32_t)i;
         }
-        status = add_joined(m, array, firsts, nexts);
+        status = add_joined(m, array, firsts, order, alike);
     }
-    sfi_free_array(m->allocator, nexts, copies, sizeof *nexts);
+    sfi_free_array(m->allocator, alike, copies, sizeof *alike);
+    sfi_free_array(m->allocator, order, copies, sizeof *order);
     sfi_free_array(m->allocator, firsts, m->points, sizeof *firsts);
     return status;
 }

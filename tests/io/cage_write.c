@@ -339,12 +339,38 @@ static void refuses_before_the_first_byte(void)
     CHECK(not_written(&v, SF_ERR_ARGUMENT, "bounds"));
 }
 
+// So many faces with values of their own in one point that comparing each with each would take
+// minutes.
+static void a_hub_of_jumps_takes_no_longer(void)
+{
+    enum { FACES = 200000 };
+    test_cage c = test_cage_begin(2, FACES + 1, FACES, 3);
+    c.value_count = 3 * (size_t)FACES;
+    c.values = calloc(c.value_count, sizeof *c.values);
+    c.indices = calloc(c.value_count, sizeof *c.indices);
+    for (uint32_t i = 0; i < FACES; i++) {
+        uint32_t corners[3] = {0, 1 + i, 1 + (i + 1) % FACES};
+        memcpy(c.corners + 3 * (size_t)i, corners, sizeof corners);
+        test_cage_place(&c, 1 + i, i, 1, 0);
+    }
+    for (uint32_t i = 0; i < c.value_count; i++) {
+        c.indices[i] = i;
+        c.values[i] = i / 2; // some alike
+    }
+    sf_cage *cage = test_cage_make(&c);
+    sf_cage_view view = sf_cage_get_view(cage);
+    round_trip(&view);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
 int main(void)
 {
     TEST(brings_everything_back);
     TEST(cuts_only_where_values_differ);
     TEST(writes_every_kind_of_cell);
     TEST(writes_refined_cages);
+    TEST(a_hub_of_jumps_takes_no_longer);
     TEST(tells_of_a_failing_sink);
     TEST(refuses_before_the_first_byte);
     return test_finish();
