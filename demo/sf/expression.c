@@ -12,10 +12,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double PROBE = 0.7890625; // of all variables, to see which a formula sets
+
 struct expression {
     muParserHandle_t parser;
     double x, y, z, v;
 };
+
+// What is wrong with a formula; NULL where nothing is. muParser takes "0,5" for two formulas of
+// which the last counts, and "x=3" for an assignment: whoever writes these means something else.
+static const char *fault_of(expression *e)
+{
+    int count = 0;
+    e->x = e->y = e->z = e->v = PROBE;
+    (void)mupEvalMulti(e->parser, &count);
+    if (mupError(e->parser)) {
+        return mupGetErrorMsg(e->parser);
+    }
+    if (count != 1) {
+        return "it has several values; the decimal sign is a point";
+    }
+    const double *all[4] = {&e->x, &e->y, &e->z, &e->v};
+    for (int i = 0; i < 4; i++) {
+        if (*all[i] != PROBE) {
+            return "it sets a variable; to compare write ==";
+        }
+    }
+    return NULL;
+}
 
 expression *expression_read(const char *text, char *why, size_t size)
 {
@@ -30,10 +54,9 @@ expression *expression_read(const char *text, char *why, size_t size)
     mupDefineVar(e->parser, "z", &e->z);
     mupDefineVar(e->parser, "v", &e->v);
     mupSetExpr(e->parser, text);
-    (void)mupEval(e->parser);
-    if (mupError(e->parser)) {
-        snprintf(why, size, "'%.100s' is no formula of x, y, z and v: %.200s", text,
-                 mupGetErrorMsg(e->parser));
+    const char *wrong = fault_of(e);
+    if (wrong != NULL) {
+        snprintf(why, size, "'%.100s' is no formula of x, y, z and v: %.200s", text, wrong);
         expression_free(e);
         return NULL;
     }

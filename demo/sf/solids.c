@@ -2,8 +2,8 @@
 // Solids from files.
 //
 // Exchange files are HDF5, and libhdf5 does not promise to survive a file that is damaged or means
-// harm. So a child of this process reads the bytes first, with limits of time and memory; only if
-// it is well afterwards does the parent read the same bytes.
+// harm. So a child of this process reads the bytes first, with a limit of time; only if it is well
+// afterwards does the parent read the same bytes.
 
 #include "solids.h"
 
