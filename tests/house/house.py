@@ -393,7 +393,7 @@ def check_version():
 
 
 def check_readme():
-    """What the README names is there: files, folders, every verb; its pictures are light."""
+    """What the README names is there: files, folders, CMake targets, every verb; its pictures are light."""
     text = re.sub(r"^```.*?^```", "", read("README.md"), flags=re.M | re.S)
     named = re.findall(r"\]\((?!https?:)([^)]+)\)", text)
     named += [w for w in re.findall(r"`([\w./-]+)`", text) if "/" in w.strip("./")]
@@ -404,6 +404,9 @@ def check_readme():
     bad += [f"README.md names libsf/{r}, which is not there" for r in re.findall(
         r"`(\w+)`", re.search(r"^\| `libsf` \|.*room:(.*)$", text, re.M).group(1))
         if not os.path.isdir(os.path.join(SOURCE, "libsf", r))]
+    targets = set(re.findall(r"sf_place_\((\S+) ", read("libsf/package/libsfConfig.cmake.in")))
+    bad += [f"README.md names the CMake target {t}, which is not there"
+            for t in re.findall(r"`(\w+::[\w-]+)`", text) if t not in targets]
     verbs = re.findall(r'^    \{\{"(\w+)", "([^"]+)"', read("demo/sf/verbs.c"), re.M)
     said = re.findall(r"^\| `(\w+)` \| (.*) \|$", text[:text.index("## Where")], re.M)
     if said != verbs:
