@@ -48,6 +48,17 @@ static sf_cage_format sniff(sfi_cursor *cursor)
     return SF_CAGE_FORMAT_AUTO;
 }
 
+static sf_status refuse(sfi_raw *raw)
+{
+    size_t have;
+    (void)sfi_cursor_peek(raw->cursor, 1, &have);
+    return sfi_cursor_fault(raw->cursor, raw->fault,
+                            have == 0
+                                ? "the file is empty; save the mesh again"
+                                : "this is no Medit, MFEM or VTK file of cells; save the mesh "
+                                  "as one of these");
+}
+
 static sf_status read_as(sfi_raw *raw, sf_cage_format format, sf_cage **cage,
                          sf_cage_reading *reading)
 {
@@ -61,9 +72,7 @@ static sf_status read_as(sfi_raw *raw, sf_cage_format format, sf_cage **cage,
     case SF_CAGE_FORMAT_VTK:
         return sfi_cage_vtk_read(raw, cage, reading);
     default:
-        return sfi_cursor_fault(raw->cursor, raw->fault,
-                                "this is no Medit, MFEM or VTK file of cells; save the mesh as one "
-                                "of these");
+        return refuse(raw);
     }
     if (raw->cursor->failure != SF_OK) {
         return sfi_cursor_fault(raw->cursor, raw->fault, "");

@@ -9,7 +9,7 @@
 static void refuses_what_is_no_cage_file(void)
 {
     static const bad cases[] = {
-        {"", "no Medit", 1, SF_ERR_FORMAT},
+        {"", "the file is empty", 1, SF_ERR_FORMAT},
         {"Dear reader, this is a letter.\n", "no Medit", 1, SF_ERR_FORMAT},
         {"# only a comment\n", "no Medit", 1, SF_ERR_FORMAT},
         {"solid x\nendsolid\n", "no Medit", 1, SF_ERR_FORMAT},

@@ -23,7 +23,8 @@ static sf_status refuse_edge(const sfi_complex *c, uint32_t edge, sf_fault *faul
 {
     return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
                          "the boundary meets itself in the edge of points %lu and %lu: more than "
-                         "two of its faces hold it; move the parts that touch there apart",
+                         "two of its faces hold it; move the parts that touch there apart, or "
+                         "put the corners of a cell there in order",
                          (unsigned long)c->edge_points[2 * (size_t)edge],
                          (unsigned long)c->edge_points[2 * (size_t)edge + 1]);
 }
