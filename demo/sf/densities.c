@@ -167,8 +167,8 @@ static exit_status read_file(cli_job *job, const part *p, densities *d)
     json_error_t error;
     json_t *root = json_load_file(job->options.density, JSON_REJECT_DUPLICATES, &error);
     if (root == NULL) {
-        char why[256];
-        snprintf(why, sizeof why, "line %d: %s", error.line, error.text);
+        char why[JSON_WHY_SIZE];
+        json_why(&error, why);
         return fail(job, EXIT_INPUT, why);
     }
     plan *made = calloc(1, sizeof *made);

@@ -16,6 +16,15 @@ exit_status json_fail(cli_job *job, exit_status status, const char *option, cons
 
 #ifdef SF_HAVE_JANSSON
 
+void json_why(const json_error_t *error, char why[JSON_WHY_SIZE])
+{
+    if (error->line > 0) {
+        snprintf(why, JSON_WHY_SIZE, "line %d: %s", error->line, error->text);
+    } else {
+        snprintf(why, JSON_WHY_SIZE, "%s", error->text);
+    }
+}
+
 static exit_status check_head(cli_job *job, const char *option, const char *path,
                               const char *format, const char *key, size_t most, const json_t *root,
                               const json_t **items)
@@ -45,8 +54,8 @@ exit_status json_read_list(cli_job *job, const char *option, const char *path, c
     json_error_t error;
     *root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     if (*root == NULL) {
-        char why[256];
-        snprintf(why, sizeof why, "line %d: %s", error.line, error.text);
+        char why[JSON_WHY_SIZE];
+        json_why(&error, why);
         return json_fail(job, EXIT_INPUT, option, path, why);
     }
     exit_status status = check_head(job, option, path, format, key, most, *root, items);

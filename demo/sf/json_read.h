@@ -14,7 +14,10 @@ exit_status json_fail(cli_job *job, exit_status status, const char *option, cons
 
 #include <jansson.h>
 
-enum { JSON_ITEMS_MAX = 64 };
+enum { JSON_ITEMS_MAX = 64, JSON_WHY_SIZE = 256 };
+
+// Why a file is no JSON, and in which line: one that cannot be opened has none.
+void json_why(const json_error_t *error, char why[JSON_WHY_SIZE]);
 
 // Read a file of a format, version 1, with a list of 1 to `most` objects under a key. The list is
 // `items`, which is valid until json_decref(*root).

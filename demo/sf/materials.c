@@ -85,7 +85,7 @@ static const char *const mixture_keys[] = {"fractions", "values"};
 
 static exit_status fail(cli_job *job, const char *what)
 {
-    return json_fail(job, EXIT_INPUT, "materials", job->options.materials, what);
+    return json_fail(job, EXIT_INPUT, "--materials", job->options.materials, what);
 }
 
 static int read_name(const json_t *found, char *name, size_t size)
@@ -296,8 +296,8 @@ exit_status materials_read(cli_job *job, materials *made)
     json_t *root = json_load_file(job->options.materials, JSON_REJECT_DUPLICATES, &error);
     memset(made, 0, sizeof *made);
     if (root == NULL) {
-        char why[256];
-        snprintf(why, sizeof why, "line %d: %s", error.line, error.text);
+        char why[JSON_WHY_SIZE];
+        json_why(&error, why);
         return fail(job, why);
     }
     exit_status status = read_root(job, root, made);
@@ -313,7 +313,7 @@ exit_status materials_read(cli_job *job, materials *made)
 exit_status materials_read(cli_job *job, materials *made)
 {
     memset(made, 0, sizeof *made);
-    return json_fail(job, EXIT_INPUT, "materials", job->options.materials,
+    return json_fail(job, EXIT_INPUT, "--materials", job->options.materials,
                      "this program reads no files of materials; build it with jansson.");
 }
 

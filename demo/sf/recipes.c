@@ -132,8 +132,20 @@ static exit_status find_property(const step *s, size_t *channel)
             return EXIT_GOOD;
         }
     }
-    return fail(s, name == NULL ? "set, add, smooth and expression need a property."
-                                : "there is no property of that name; \"create\" it first.");
+    if (name == NULL) {
+        return fail(s, "set, add, smooth and expression need a property.");
+    }
+    char what[400] = "";
+    snprintf(what, sizeof what, "there is no property '%.47s'; ", name);
+    for (size_t i = 0; i < v.channel_count && strlen(what) < 300; i++) {
+        size_t used = strlen(what);
+        snprintf(what + used, sizeof what - used, "%s'%s'", i > 0 ? ", " : "there is ",
+                 v.channels[i].property.name);
+    }
+    size_t used = strlen(what);
+    snprintf(what + used, sizeof what - used, "%s\"create\" it first.",
+             v.channel_count > 0 ? ", or " : "");
+    return fail(s, what);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -157,8 +169,20 @@ static exit_status select_points(const step *s, const json_t *list)
     return EXIT_GOOD;
 }
 
+// A brush that meets no point does nothing, and the points of a cage are few and far apart.
+static void warn_of_air(const step *s, size_t touched)
+{
+    if (touched == 0) {
+        job_warn(s->job,
+                 "%.300s: step %zu touches no point of the cage, so it changes nothing; see where "
+                 "its points are, and take a larger radius_mm.",
+                 s->job->options.paint, s->number + 1);
+    }
+}
+
 static exit_status select_brush(const step *s, const json_t *says, int is_ball)
 {
+    size_t touched = 0;
     static const char *const falloffs[] = {"constant", "linear", "smooth"};
     static const char *const wheres[] = {"all", "outside", "inside"};
     sf_paint_brush b = sf_paint_brush_default();
@@ -180,12 +204,13 @@ static exit_status select_brush(const step *s, const json_t *says, int is_ball)
     }
     b.falloff = good ? (sf_falloff)falloff : SF_FALLOFF_SMOOTH;
     b.where = good ? (sf_paint_where)where : SF_PAINT_ALL;
-    if (!good || sf_paint_select(s->cage, &b, s->weights, NULL) != SF_OK) {
+    if (!good || sf_paint_select(s->cage, &b, s->weights, &touched) != SF_OK) {
         return fail(
             s, "a ball has at_mm, a capsule from_mm and to_mm, both a radius_mm above 0, and may "
                "have a strength (above 0, at most 1), a falloff (constant, linear, smooth) and "
                "where (all, outside, inside).");
     }
+    warn_of_air(s, touched);
     return EXIT_GOOD;
 }
 

@@ -47,7 +47,7 @@ rm -f painted.vtk
 
 refused '{"all": true, "property": "stiffness", "set": 1e999}' "overflow"
 refused '{"all": true, "property": "stiffness", "smooth": 2}' "step 1: smooth"
-refused '{"all": true, "property": "none", "set": 2}' "no property of that name"
+refused '{"all": true, "property": "none", "set": 2}' "no property 'none'; there is 'stiffness', or"
 refused '{"all": true, "move": [1e300, 0, 0]}' "step 1: move"
 refused '{"all": true, "move": [1, 2]}' "step 1: move"
 refused '{"all": true, "move": [1, 2, 3], "property": "stiffness", "set": 1}' "it does one thing"
@@ -62,6 +62,16 @@ refused '{"create": "a"}, {"create": "a"}' "step 2: .*name or the UUID of anothe
 refused '{"create": ""}' "1 to 47 bytes"
 refused '{"al": true, "move": [1, 2, 3]}' "not known"
 refused 'null' "not known"
+exits 3 refine cage.vtk --paint missing.json -o painted.vtk
+grep -q "^sf: --paint missing.json: unable to open" stderr
+ok $? "a recipe that is not there has no line"
 [ ! -e painted.vtk ]
 ok $? "nothing was written by any of these"
+
+recipe '{"ball": {"at_mm": [9, 9, 9], "radius_mm": 1}, "move": [1, 2, 3]}'
+grep -q "step 1 touches no point" stdout
+same "$exit $?" "0 0" "a brush that meets nothing is said to"
+recipe '{"ball": {"at_mm": [0, 0, 0], "radius_mm": 1}, "move": [0, 0, -1]}'
+grep -q "touches no point" stdout
+same "$exit $?" "0 1" "and one that meets a point is not"
 finish

@@ -147,6 +147,14 @@ def takes(name, made):
     return {0: True, 1: True, 3: False}.get(done.returncode), done.stderr.strip()
 
 
+def warnings(name, made):
+    """What sf warns of a file."""
+    with open("file.json", "w") as file:
+        json.dump(made, file)
+    done = subprocess.run(SF + ASKED[name] + ["file.json", "--resolution", "8", "--json"], capture_output=True, text=True)
+    return json.loads(done.stdout).get("warnings", [])
+
+
 def shown(name):
     """The examples of the docs."""
     for page in sorted(DOCS.glob("*.md")):
@@ -164,6 +172,9 @@ def check(name):
         Draft202012Validator.check_schema(schema)
     good = [made for _, made in shown(name)]
     ok(good, f"the docs show a file of {name}")
+    if name == "paint":
+        said = [warnings(name, made) for made in good]
+        ok(not any(said), "each brush that they show meets points", said)
     good += [document(name, MORE[name])]
     if name not in ("density", "materials"):
         good += [document(name, [item]) for item in MORE[name]]
