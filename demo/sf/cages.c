@@ -14,6 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int is_exchange(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot != NULL && (strcmp(dot, ".h5") == 0 || strcmp(dot, ".hdf5") == 0);
+}
+
 static exit_status read_file(cli_job *job, sf_cage **cage, sf_cage_reading *reading)
 {
     const char *path = job->options.input;
@@ -24,6 +30,13 @@ static exit_status read_file(cli_job *job, sf_cage **cage, sf_cage_reading *read
         progress_phase("reading");
         status = sf_cage_read(sf_file_source(file), NULL, NULL, cage, reading, &fault);
         sf_file_close(file);
+    }
+    if (status == SF_ERR_FORMAT && is_exchange(path)) {
+        return job_fail(
+            job, EXIT_INPUT,
+            "%s is no cage; the tetrahedra of an exchange file are taken by 'sf exchange' "
+            "and 'sf grade'.",
+            path);
     }
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_INPUT);
 }

@@ -139,6 +139,18 @@ static sf_status set_up_mask(press *p)
     return status == SF_OK ? sf_halftone_create(p->mask, p->m->count, NULL, &p->halftone) : status;
 }
 
+static exit_status fail_mask(press *p, sf_status status)
+{
+    const sf_lattice *l = &p->made->lattice;
+    if (status != SF_ERR_ARGUMENT) {
+        return fail_call(p->job, status, NULL);
+    }
+    return job_fail(p->job, EXIT_USAGE,
+                    "Voxels of %g x %g x %g mm cannot be halftoned: no side may be more than 64 "
+                    "times another; give --pitch with sides that are more alike.",
+                    l->pitch_x_mm, l->pitch_y_mm, l->layer_mm);
+}
+
 static int set_up_planes(press *p)
 {
     const sf_lattice *l = &p->made->lattice;
@@ -245,6 +257,20 @@ static exit_status press_layers(press *p)
     return status == SF_OK ? EXIT_GOOD : fail_call(job, status, &fault);
 }
 
+static exit_status look_for_solid(press *p)
+{
+    sf_status status = sf_sampler_report(p->sampler, &p->made->voxels);
+    if (status != SF_OK) {
+        return fail_call(p->job, status, NULL);
+    }
+    return p->made->voxels.solid > 0
+               ? EXIT_GOOD
+               : job_fail(p->job, EXIT_INPUT,
+                          "%s: No voxel has its centre inside the solid; take a finer --pitch, or "
+                          "check --units.",
+                          p->job->options.input);
+}
+
 static exit_status publish(press *p, const char *path)
 {
     sf_fault fault = {SF_OK, 0, 0, ""};
@@ -276,9 +302,7 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
     }
     sf_status made = set_up_mask(p);
     if (made != SF_OK) {
-        return job_fail(p->job, EXIT_USAGE, "There is no mask for voxels of %g x %g x %g mm: %s",
-                        p->made->lattice.pitch_x_mm, p->made->lattice.pitch_y_mm,
-                        p->made->lattice.layer_mm, sf_status_message(made));
+        return fail_mask(p, made);
     }
     if (!set_up_planes(p)) {
         return job_fail(p->job, EXIT_RESOURCE, "There is no memory for a layer.");
@@ -292,13 +316,13 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
         return job_fail_call(p->job, made, &fault, path, EXIT_RESOURCE);
     }
     status = press_layers(p);
+    if (status == EXIT_GOOD) {
+        status = look_for_solid(p);
+    }
     if (status == EXIT_GOOD && p->picture.front != NULL) {
         status = draw(p);
     }
-    if (status == EXIT_GOOD && sf_sampler_report(p->sampler, &p->made->voxels) == SF_OK) {
-        status = publish(p, path);
-    }
-    return status;
+    return status == EXIT_GOOD ? publish(p, path) : status;
 }
 
 exit_status graded_write(cli_job *job, const solid_input *in, const size_t *channels, materials *m,

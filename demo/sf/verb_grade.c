@@ -189,6 +189,10 @@ exit_status verb_grade(cli_job *job)
     if (job->options.output == NULL) {
         return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER.");
     }
+    if (job->options.picture != NULL && output_kind_of(job->options.picture) != OUTPUT_PICTURE) {
+        return job_fail(job, EXIT_USAGE, "--picture %s: a picture's name ends in .png.",
+                        job->options.picture);
+    }
     exit_status status = output_probe(job, job->options.output, OUTPUT_STACK);
     if (status == EXIT_GOOD) {
         status = output_probe(job, job->options.picture, OUTPUT_PICTURE);

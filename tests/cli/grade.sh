@@ -61,6 +61,20 @@ grep -q "it has 'stiffness'" stderr
 ok $? "and says which properties there are"
 exits 3 grade missing.vtk -o none
 exits 2 grade cage.vtk --pitch 0.00001 -o none
+exits 3 grade cage.vtk --pitch 1000 -o none --picture none.png
+grep -q "No voxel has its centre inside" stderr
+ok $? "and says that nothing would be solid"
+exits 2 grade cage.vtk --pitch 0.1,10,0.1 -o none
+grep -q "no side may be more than 64 times another" stderr
+ok $? "and says what voxels may be"
+exits 2 grade cage.vtk -o none --picture none.jpg
+: >empty.vtk
+exits 3 grade empty.vtk -o none
+grep -q "the file is empty" stderr
+ok $? "and says so"
+exits 3 grade cage.vtk --materials missing.json -o none
+grep -q "^sf: --materials missing.json: unable to open" stderr
+ok $? "and says so"
 exits 3 grade cage.vtk --materials cage.vtk -o none
 sed 's/"values": \[0.5\]/"values": [1]/' three.json >twice.json
 exits 3 grade cage.vtk --materials twice.json -o none
@@ -84,6 +98,6 @@ sed '/^POINT_DATA/,$d' cage.vtk >bare.vtk
 exits 3 grade bare.vtk -o none
 grep -q "has no properties" stderr
 ok $? "and says so"
-[ ! -e none ]
+[ ! -e none ] && [ ! -e none.png ] && [ ! -e none.jpg ]
 ok $? "nothing was written by any of these"
 finish

@@ -35,6 +35,9 @@ if [ "$exit" -eq 0 ]; then
     head -c 3000 tetra.h5 >cut.h5
     exits 3 exchange cut.h5 -o none.vtk
     exits 3 grade cut.h5 -o none
+    exits 3 refine tetra.h5 -o none.vtk
+    grep -q "taken by 'sf exchange' and 'sf grade'" stderr
+    ok $? "what is no cage is said to go elsewhere"
 else
     grep -q libhdf5 stderr
     ok $? "a build without libhdf5 says so"
