@@ -40,7 +40,8 @@ sf_status sf_paint_move(sf_cage *cage, const double *weights, const double vecto
         return SF_ERR_MEMORY;
     }
     for (size_t i = 0; i < 3 * (size_t)cage->points; i++) {
-        fresh[i] = cage->positions[i] + weights[i / 3] * vector_mm[i % 3];
+        double step = weights[i / 3] * vector_mm[i % 3];
+        fresh[i] = step != 0 ? cage->positions[i] + step : cage->positions[i]; // -0 stays -0
     }
     sf_status status = put_in_place(cage, fresh, changed);
     sfi_free_array(&kept, fresh, cage->points, 3 * sizeof *fresh);

@@ -17,7 +17,7 @@ sf_paint_brush sf_paint_brush_default(void)
 static int is_brush(const sf_paint_brush *b)
 {
     for (int axis = 0; axis < 3; axis++) {
-        if (!isfinite(b->from_mm[axis]) || !isfinite(b->to_mm[axis])) {
+        if (!(fabs(b->from_mm[axis]) <= SFI_CAGE_REACH && fabs(b->to_mm[axis]) <= SFI_CAGE_REACH)) {
             return 0;
         }
     }

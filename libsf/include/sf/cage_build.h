@@ -46,9 +46,10 @@ SF_API SF_CHECKED sf_status sf_cage_block(const uint32_t counts[3], const double
  * @param allocator  NULL for the C library's
  * @param cage       receives the cage
  * @param fault      NULL, or receives a sentence on failure
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no layers, a vector that is not finite or lies in
- * the faces; SF_ERR_UNSUPPORTED: a cage of dimension 3, or what sf_cage_create() refuses;
- * SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no layers, a vector that is not finite or leads
+ * farther than 2 10^12 mm, a face within 10^-9 of along it, faces that look to both sides of it;
+ * SF_ERR_UNSUPPORTED: a cage of dimension 3, or what sf_cage_create() refuses; SF_ERR_OVERFLOW;
+ * SF_ERR_MEMORY.
  * @cost linear.   @threads any; one at a time for each allocator.
  * @since 0.2
  */
@@ -60,12 +61,13 @@ SF_API SF_CHECKED sf_status sf_cage_extrude(const sf_cage *faces, const double v
  * Turn faces about the z axis.
  *
  * The faces lie in the half-plane of x at least 0 and y = 0; y is not looked at. An edge on the
- * axis stays one: a quadrilateral there becomes a wedge, a triangle a tetrahedron.
+ * axis stays one: a quadrilateral there becomes a wedge, a triangle a tetrahedron. On the axis are
+ * points whose x is 0 and no other number: round what was measured or read.
  *
  * @param faces      a cage of dimension 2
  * @param sectors    how many cells around, at least 3 for a full turn, else at least 1
- * @param angle_rad  how far, above 0 and at most a full turn, which closes; for parts less than pi
- *                   for each sector
+ * @param angle_rad  how far, above 0 and at most a full turn; only the double nearest to 2 pi
+ * closes; for parts less than pi for each sector
  * @param allocator  NULL for the C library's
  * @param cage       receives the cage
  * @param fault      NULL, or receives a sentence on failure, which names the face at fault
@@ -95,7 +97,8 @@ typedef struct sf_skeleton_strut {
  * A body along a skeleton: cubes at the nodes, and struts between them, all hexahedra.
  *
  * A strut leaves a node through the side that its direction is nearest to, and no two struts
- * through the same side. It is not twisted more than it must be.
+ * through the same side. It is not twisted more than it must be. Whether cubes or struts run into
+ * each other is not looked at.
  *
  * @param node_count   1 or more
  * @param nodes        the nodes; their cubes are the first cells, in their order

@@ -33,8 +33,8 @@ typedef enum sf_paint_where {
  * sf_paint_brush_default(). */
 typedef struct sf_paint_brush {
     size_t struct_size;   /**< sizeof(sf_paint_brush), set by sf_paint_brush_default() */
-    double from_mm[3];    /**< where the middle begins; 0, 0, 0 */
-    double to_mm[3];      /**< where it ends; 0, 0, 0 */
+    double from_mm[3];    /**< where the middle begins, within 10^12; 0, 0, 0 */
+    double to_mm[3];      /**< where it ends, within 10^12; 0, 0, 0 */
     double radius_mm;     /**< above 0, and may be infinite: all points; 1 */
     double strength;      /**< weight in the middle, above 0 and at most 1; 1 */
     sf_falloff falloff;   /**< SF_FALLOFF_SMOOTH */

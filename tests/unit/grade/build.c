@@ -86,10 +86,54 @@ static void faces_are_drawn_along_a_line(void)
         sf_cage_destroy(cage);
         cage = NULL;
         CHECK_EQ(sf_cage_extrude(flat, along, 1, NULL, &cage, &fault), SF_ERR_ARGUMENT);
-        CHECK(strstr(fault.message, "lies in the faces") != NULL);
+        CHECK(strstr(fault.message, "face 0 lies along the vector") != NULL);
         CHECK_EQ(sf_cage_extrude(flat, up, 0, NULL, &cage, NULL), SF_ERR_ARGUMENT);
         sf_cage_destroy(flat);
     }
+}
+
+// A square of two random edges from the origin, and a vector within it.
+static sf_cage *tilted(double vector[3])
+{
+    static const uint32_t starts[2] = {0, 4}, corners[4] = {0, 1, 2, 3};
+    double p[12] = {0};
+    for (int i = 0; i < 3; i++) {
+        p[3 + i] = test_random_unit() - 0.5;
+        p[9 + i] = test_random_unit() - 0.5;
+        p[6 + i] = p[3 + i] + p[9 + i];
+    }
+    double a = test_random_unit(), b = test_random_unit();
+    for (int i = 0; i < 3; i++) {
+        vector[i] = a * p[3 + i] + b * p[9 + i];
+    }
+    sf_cage_view view = {2, 4, p, 1, starts, corners, 0, NULL, 0, NULL, 0, NULL};
+    sf_cage *cage = NULL;
+    CHECK_EQ(sf_cage_create(&view, NULL, &cage, NULL), SF_OK);
+    return cage;
+}
+
+static void faces_lead_to_one_side_of_the_line(void)
+{
+    sf_fault fault = {0};
+    sf_cage *cage = NULL;
+    for (int i = 0; i < 1000; i++) { // rounding takes none of these vectors out of its plane
+        double along[3];
+        sf_cage *flat = tilted(along);
+        CHECK_EQ(sf_cage_extrude(flat, along, 1, NULL, &cage, &fault), SF_ERR_ARGUMENT);
+        sf_cage_destroy(flat);
+    }
+    // The second face folds back below the first.
+    static const double p[18] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0, -1, 0.5, 1, -1};
+    static const uint32_t starts[3] = {0, 4, 8}, corners[8] = {0, 1, 2, 3, 1, 4, 5, 2};
+    const double up[3] = {0, 0, 1}, far[3] = {0, 0, 1e200};
+    sf_cage_view view = {2, 6, p, 2, starts, corners, 0, NULL, 0, NULL, 0, NULL};
+    sf_cage *folded = NULL;
+    CHECK_EQ(sf_cage_create(&view, NULL, &folded, NULL), SF_OK);
+    CHECK_EQ(sf_cage_extrude(folded, up, 1, NULL, &cage, &fault), SF_ERR_ARGUMENT);
+    CHECK(strstr(fault.message, "face 1 looks the other way than face 0") != NULL);
+    CHECK_EQ(sf_cage_extrude(folded, far, 1, NULL, &cage, NULL), SF_ERR_ARGUMENT);
+    CHECK(cage == NULL);
+    sf_cage_destroy(folded);
 }
 
 // Pappus: area times the way of the centroid; of n sectors sin(2 pi / n) n / 2 instead of pi.
@@ -297,8 +341,61 @@ static void functions_find_values_as_they_were(void)
     test_cage_free(&c);
 }
 
+// What needs memory, one after the other; what is changed in place is `cage`.
+static sf_status build(int way, sf_cage *cage, sf_cage *flat, const sf_allocator *allocator,
+                       sf_cage **made)
+{
+    const uint32_t counts[3] = {3, 2, 2};
+    const double low[3] = {0, 0, 0}, high[3] = {1, 1, 1}, up[3] = {0, 1, 0};
+    int calls = 1000;
+    switch (way) {
+    case 0:
+        return sf_cage_block(counts, low, high, allocator, made);
+    case 1:
+        return sf_cage_extrude(flat, up, 3, allocator, made, NULL);
+    case 2:
+        return sf_cage_revolve(flat, 5, 3, allocator, made, NULL);
+    case 3:
+        return sf_cage_map_positions(cage, swell, &calls, allocator);
+    default:
+        return sf_cage_map_values(cage, 0, twice, NULL, allocator);
+    }
+}
+
+static void without_memory_nothing_is_built_or_changed(void)
+{
+    test_cage c = test_cage_block(3, 2, 2);
+    c.values = calloc(c.points, sizeof *c.values);
+    c.values[3] = 7;
+    sf_cage *cage = test_cage_make(&c), *flat = faces(2, 2, 0);
+    for (int way = 0; way < 5; way++) {
+        sf_status status = SF_ERR_MEMORY;
+        for (long k = 0; status == SF_ERR_MEMORY; k++) {
+            failing_allocator memory;
+            sf_cage *made = NULL;
+            sf_cage_view v = sf_cage_get_view(cage);
+            CHECK(memcmp(v.positions, c.positions, 3 * c.points * sizeof(double)) == 0);
+            CHECK(memcmp(v.channels[0].values, c.values, c.points * sizeof(double)) == 0);
+            failing_begin(&memory, k);
+            status = build(way, cage, flat, &memory.allocator, &made);
+            CHECK((status == SF_OK && (way > 2 || made != NULL)) || made == NULL);
+            CHECK(status == SF_OK ? k > 0 : status == SF_ERR_MEMORY);
+            sf_cage_destroy(made);
+            CHECK(memory.live == 0 && memory.faults == 0);
+        }
+        if (way == 3) {
+            CHECK_EQ(sf_cage_set_positions(cage, 0, c.points, c.positions), SF_OK);
+        }
+    }
+    sf_cage_destroy(flat);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
 int main(void)
 {
+    TEST(without_memory_nothing_is_built_or_changed);
+    TEST(faces_lead_to_one_side_of_the_line);
     TEST(functions_find_values_as_they_were);
     TEST(blocks_are_boxes);
     TEST(faces_are_drawn_along_a_line);

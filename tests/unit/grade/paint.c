@@ -198,6 +198,9 @@ static void what_cannot_be_is_refused_and_changes_nothing(void)
     b.strength = 1.5;
     CHECK_EQ(sf_paint_select(cage, &b, weights, NULL), SF_ERR_ARGUMENT);
     b.strength = 0.25;
+    b.to_mm[0] = 1e200; // what is that long has no place for its points
+    CHECK_EQ(sf_paint_select(cage, &b, weights, NULL), SF_ERR_ARGUMENT);
+    b.to_mm[0] = -1e12;
     size_t touched = 0;
     double none[MOST] = {0};
     CHECK_EQ(sf_paint_select(cage, &b, none, &touched), SF_OK);
@@ -210,14 +213,6 @@ static void what_cannot_be_is_refused_and_changes_nothing(void)
     CHECK_EQ(sf_paint_values(cage, 0, weights, SF_PAINT_SET, NAN, NULL, NULL), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_paint_move(cage, weights, far, NULL, NULL), SF_ERR_ARGUMENT);
     CHECK_EQ(sf_paint_smooth(cage, weights, -1, NULL, NULL), SF_ERR_ARGUMENT);
-    for (long k = 0; k < 2; k++) {
-        failing_allocator memory;
-        failing_begin(&memory, k);
-        CHECK_EQ(sf_paint_values(cage, 0, weights, SF_PAINT_SMOOTH, 1, &memory.allocator, NULL),
-                 SF_ERR_MEMORY);
-        CHECK_EQ(sf_paint_smooth(cage, weights, 1, &memory.allocator, NULL), SF_ERR_MEMORY);
-        CHECK_EQ(memory.live, 0);
-    }
     sf_cage_view v = sf_cage_get_view(cage);
     CHECK(memcmp(v.positions, c.positions, 3 * c.points * sizeof(double)) == 0);
     CHECK(memcmp(v.channels[0].values, c.values, c.points * sizeof(double)) == 0);
@@ -225,8 +220,78 @@ static void what_cannot_be_is_refused_and_changes_nothing(void)
     test_cage_free(&c);
 }
 
+// A point of weight 0 stays as it is, to the sign of its zeros.
+static void what_is_not_meant_stays(void)
+{
+    test_cage c = test_cage_block(1, 1, 1);
+    for (size_t i = 0; i < 3 * c.points; i++) {
+        c.positions[i] = c.positions[i] == 0 ? -0.0 : c.positions[i];
+    }
+    sf_cage *cage = test_cage_make(&c);
+    double weights[8] = {0}, vector[3] = {1, 0, 0};
+    size_t changed = 9;
+    CHECK_EQ(sf_paint_move(cage, weights, vector, NULL, &changed), SF_OK);
+    CHECK_EQ(changed, 0);
+    weights[2] = 1;
+    CHECK_EQ(sf_paint_move(cage, weights, vector, NULL, &changed), SF_OK);
+    CHECK_EQ(changed, 1);
+    sf_cage_destroy(cage);
+    test_cage_free(&c);
+}
+
+static sf_status paint(int way, sf_cage *cage, const double *weights, const sf_allocator *allocator)
+{
+    const double vector[3] = {0, 0.1, 0};
+    switch (way) {
+    case 0:
+        return sf_paint_values(cage, 0, weights, SF_PAINT_SMOOTH, 1, allocator, NULL);
+    case 1:
+        return sf_paint_values(cage, 0, weights, SF_PAINT_SET, 1, allocator, NULL);
+    case 2:
+        return sf_paint_smooth(cage, weights, 1, allocator, NULL);
+    default:
+        return sf_paint_move(cage, weights, vector, allocator, NULL);
+    }
+}
+
+// With a property that jumps and one that does not.
+static void without_memory_nothing_is_changed(void)
+{
+    for (int way = 0; way < 8; way++) {
+        test_cage c = block();
+        double weights[MOST];
+        for (size_t i = 0; i < c.points; i++) {
+            weights[i] = test_random_unit();
+        }
+        if (way >= 4) {
+            c.value_count = 2;
+            c.indices = calloc(8 * c.cells, sizeof *c.indices);
+            for (size_t i = 0; i < 8 * c.cells; i++) {
+                c.indices[i] = i / 8 % 4 >= 2;
+            }
+        }
+        sf_cage *cage = test_cage_make(&c);
+        size_t values = c.indices != NULL ? c.value_count : c.points;
+        sf_status status = SF_ERR_MEMORY;
+        for (long k = 0; status == SF_ERR_MEMORY; k++) {
+            failing_allocator memory;
+            sf_cage_view v = sf_cage_get_view(cage);
+            CHECK(memcmp(v.positions, c.positions, 3 * c.points * sizeof(double)) == 0);
+            CHECK(memcmp(v.channels[0].values, c.values, values * sizeof(double)) == 0);
+            failing_begin(&memory, k);
+            status = paint(way % 4, cage, weights, &memory.allocator);
+            CHECK(status == SF_OK || status == SF_ERR_MEMORY);
+            CHECK(memory.live == 0 && memory.faults == 0);
+        }
+        sf_cage_destroy(cage);
+        test_cage_free(&c);
+    }
+}
+
 int main(void)
 {
+    TEST(what_is_not_meant_stays);
+    TEST(without_memory_nothing_is_changed);
     TEST(brushes_weigh_by_distance);
     TEST(values_change_by_their_formulas);
     TEST(positions_move_and_smooth);
