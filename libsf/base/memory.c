@@ -65,6 +65,20 @@ void sfi_free_array(const sf_allocator *allocator, void *memory, size_t count, s
     }
 }
 
+int sfi_copy_array(const sf_allocator *allocator, const void *from, size_t count,
+                   size_t element_size, void **to)
+{
+    *to = NULL;
+    if (count > 0) {
+        *to = sfi_alloc_array(allocator, count, element_size);
+        if (*to == NULL) {
+            return 0;
+        }
+        memcpy(*to, from, count * element_size);
+    }
+    return 1;
+}
+
 int sfi_grow_array(const sf_allocator *allocator, void **memory, size_t *capacity, size_t need,
                    size_t element_size)
 {

@@ -16,6 +16,11 @@ sf_allocator sfi_allocator_or_default(const sf_allocator *allocator);
 void *sfi_alloc_array(const sf_allocator *allocator, size_t count, size_t element_size);
 void sfi_free_array(const sf_allocator *allocator, void *memory, size_t count, size_t element_size);
 
+// A copy of an array, which may be empty: then `*to` is NULL. Returns 0 when memory is short. Free
+// with the same two numbers.
+int sfi_copy_array(const sf_allocator *allocator, const void *from, size_t count,
+                   size_t element_size, void **to);
+
 // Make room for `need` elements in a growing array, by half again or more. Returns 0, with nothing
 // changed, when memory is short.
 int sfi_grow_array(const sf_allocator *allocator, void **memory, size_t *capacity, size_t need,

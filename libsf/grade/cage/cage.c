@@ -40,14 +40,16 @@ void sf_cage_destroy(sf_cage *cage)
     sfi_free_array(&allocator, cage, 1, sizeof *cage);
 }
 
-static int is_position(const double *xyz)
+sf_status sfi_positions_check(size_t points, const double *positions, sf_fault *fault)
 {
-    for (int axis = 0; axis < 3; axis++) {
-        if (!(fabs(xyz[axis]) <= SFI_CAGE_REACH)) {
-            return 0;
+    for (size_t i = 0; i < 3 * points; i++) {
+        if (!(fabs(positions[i]) <= SFI_CAGE_REACH)) {
+            return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
+                                 "point %zu has a coordinate that is not finite or beyond 10^12 mm",
+                                 i / 3);
         }
     }
-    return 1;
+    return SF_OK;
 }
 
 static sf_status check_counts(const sf_cage_view *v, sf_fault *fault)
@@ -96,29 +98,7 @@ static sf_status check_arrays(const sf_cage_view *v, sf_fault *fault)
             }
         }
     }
-    for (size_t i = 0; i < v->point_count; i++) {
-        if (!is_position(v->positions + 3 * i)) {
-            return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
-                                 "point %zu has a coordinate that is not finite or beyond 10^12 mm",
-                                 i);
-        }
-    }
-    return SF_OK;
-}
-
-// A copy of an array, which may be empty.
-static int copy_array(const sf_allocator *allocator, const void *from, size_t count, size_t size,
-                      void **to)
-{
-    *to = NULL;
-    if (count > 0) {
-        *to = sfi_alloc_array(allocator, count, size);
-        if (*to == NULL) {
-            return 0;
-        }
-        memcpy(*to, from, count * size);
-    }
-    return 1;
+    return sfi_positions_check(v->point_count, v->positions, fault);
 }
 
 static int copy_arrays(const sf_cage_view *v, sf_cage *cage)
@@ -126,16 +106,17 @@ static int copy_arrays(const sf_cage_view *v, sf_cage *cage)
     const sf_allocator *allocator = &cage->allocator;
     size_t corners = v->starts[v->cell_count];
     void *starts, *items, *positions, *creases, *sharps;
-    int done = copy_array(allocator, v->starts, v->cell_count + 1, sizeof *v->starts, &starts);
+    int done = sfi_copy_array(allocator, v->starts, v->cell_count + 1, sizeof *v->starts, &starts);
     cage->starts = starts;
-    done = done && copy_array(allocator, v->corners, corners, sizeof *v->corners, &items);
+    done = done && sfi_copy_array(allocator, v->corners, corners, sizeof *v->corners, &items);
     cage->corners = done ? items : NULL;
-    done = done && copy_array(allocator, v->positions, 3 * v->point_count, sizeof *v->positions,
-                              &positions);
+    done = done && sfi_copy_array(allocator, v->positions, 3 * v->point_count, sizeof *v->positions,
+                                  &positions);
     cage->positions = done ? positions : NULL;
-    done = done && copy_array(allocator, v->creases, v->crease_count, sizeof *v->creases, &creases);
+    done = done &&
+           sfi_copy_array(allocator, v->creases, v->crease_count, sizeof *v->creases, &creases);
     cage->creases = done ? creases : NULL;
-    done = done && copy_array(allocator, v->sharps, v->sharp_count, sizeof *v->sharps, &sharps);
+    done = done && sfi_copy_array(allocator, v->sharps, v->sharp_count, sizeof *v->sharps, &sharps);
     cage->sharps = done ? sharps : NULL;
     return done;
 }
@@ -208,11 +189,7 @@ sf_status sf_cage_set_positions(sf_cage *cage, size_t first, size_t count, const
     if (cage == NULL || xyz == NULL || first > cage->points || count > cage->points - first) {
         return SF_ERR_ARGUMENT;
     }
-    for (size_t i = 0; i < count; i++) {
-        if (!is_position(xyz + 3 * i)) {
-            return SF_ERR_ARGUMENT;
-        }
-    }
+    SF_TRY(sfi_positions_check(count, xyz, NULL));
     memcpy(cage->positions + 3 * first, xyz, 3 * count * sizeof *xyz);
     return SF_OK;
 }

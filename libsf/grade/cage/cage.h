@@ -25,4 +25,7 @@ struct sf_cage {
 // Coordinates lie within this, mm.
 #define SFI_CAGE_REACH 1e12
 
+// Whether all of `points` positions do; the fault names the first that does not.
+sf_status sfi_positions_check(size_t points, const double *positions, sf_fault *fault);
+
 #endif

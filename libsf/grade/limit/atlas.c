@@ -132,28 +132,15 @@ static sf_status grow_slots(sfi_atlas *atlas)
     return SF_OK;
 }
 
-static int copy_array(const sf_allocator *allocator, const void *from, size_t count, size_t size,
-                      void **to)
-{
-    *to = NULL;
-    if (count > 0) {
-        *to = sfi_alloc_array(allocator, count, size);
-        if (*to == NULL) {
-            return 0;
-        }
-        memcpy(*to, from, count * size);
-    }
-    return 1;
-}
-
 static sf_status copy_ring(const sf_allocator *allocator, const sfi_ring *ring, sfi_ring *copy)
 {
     void *items, *outside = NULL, *shifts = NULL, *sharp = NULL;
     size_t item_count = (size_t)ring->cells << ring->dimension;
-    int done = copy_array(allocator, ring->items, item_count, sizeof *ring->items, &items) &&
-               copy_array(allocator, ring->outside, ring->cells, sizeof *ring->outside, &outside) &&
-               copy_array(allocator, ring->shifts, 3 * (size_t)ring->cells, 1, &shifts) &&
-               copy_array(allocator, ring->sharp, ring->sharps, sizeof *ring->sharp, &sharp);
+    int done =
+        sfi_copy_array(allocator, ring->items, item_count, sizeof *ring->items, &items) &&
+        sfi_copy_array(allocator, ring->outside, ring->cells, sizeof *ring->outside, &outside) &&
+        sfi_copy_array(allocator, ring->shifts, 3 * (size_t)ring->cells, 1, &shifts) &&
+        sfi_copy_array(allocator, ring->sharp, ring->sharps, sizeof *ring->sharp, &sharp);
     *copy = *ring;
     copy->items = items;
     copy->outside = outside;

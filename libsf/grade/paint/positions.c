@@ -6,17 +6,12 @@
 #include "base/memory.h"
 #include "base/status.h"
 
-#include <math.h>
 #include <string.h>
 
 static sf_status put_in_place(sf_cage *cage, const double *fresh, size_t *changed)
 {
     size_t count = 0;
-    for (size_t i = 0; i < 3 * (size_t)cage->points; i++) {
-        if (!(fabs(fresh[i]) <= SFI_CAGE_REACH)) {
-            return SF_ERR_ARGUMENT;
-        }
-    }
+    SF_TRY(sfi_positions_check(cage->points, fresh, NULL));
     for (size_t i = 0; i < cage->points; i++) {
         count += memcmp(fresh + 3 * i, cage->positions + 3 * i, 3 * sizeof *fresh) != 0;
     }

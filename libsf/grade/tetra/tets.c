@@ -5,11 +5,9 @@
 
 #include "base/memory.h"
 #include "base/status.h"
+#include "grade/cage/cage.h"
 
-#include <math.h>
 #include <string.h>
-
-static const double REACH = 1e12; // coordinates lie within this, mm
 
 static sfi_channel_shape shape_of(const sf_tets *tets)
 {
@@ -62,13 +60,7 @@ static sf_status check(const sf_tets_view *v, sf_fault *fault)
     if (v->point_count > INT32_MAX || v->tet_count > SFI_TET_MAX) {
         return SF_ERR_OVERFLOW;
     }
-    for (size_t i = 0; i < 3 * v->point_count; i++) {
-        if (!(fabs(v->positions[i]) <= REACH)) {
-            return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
-                                 "point %zu has a coordinate that is not finite or beyond 10^12 mm",
-                                 i / 3);
-        }
-    }
+    SF_TRY(sfi_positions_check(v->point_count, v->positions, fault));
     return check_corners(v, fault);
 }
 

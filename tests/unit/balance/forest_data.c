@@ -9,7 +9,7 @@
 
 #include "balance/forest/forest.h"
 #include "base/memory.h"
-#include "truth/data_file.h"
+#include "data_file.h"
 #include "voxel/pieces.h"
 
 #include <time.h>

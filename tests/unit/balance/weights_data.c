@@ -4,7 +4,7 @@
 // vertex must lie in the domain of the covered solid, bend, and come back. docs/balance.md has the
 // figures that this prints; a number on the command line asks for that many cells.
 
-#include "truth/data_file.h"
+#include "data_file.h"
 
 #include <sf/blend.h>
 

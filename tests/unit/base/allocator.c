@@ -44,10 +44,23 @@ static void growing_keeps_contents(void)
     sfi_free_array(&allocator, memory, capacity, sizeof(uint32_t));
 }
 
+static void a_copy_is_of_all_or_of_nothing(void)
+{
+    static const uint32_t from[3] = {5, 7, 11};
+    sf_allocator allocator = sfi_allocator_or_default(NULL);
+    void *copy = &allocator;
+    CHECK(sfi_copy_array(&allocator, NULL, 0, sizeof *from, &copy) && copy == NULL);
+    CHECK(!sfi_copy_array(&allocator, from, SIZE_MAX / 2, sizeof *from, &copy) && copy == NULL);
+    CHECK(sfi_copy_array(&allocator, from, 3, sizeof *from, &copy));
+    CHECK(memcmp(copy, from, sizeof from) == 0);
+    sfi_free_array(&allocator, copy, 3, sizeof *from);
+}
+
 int main(void)
 {
     TEST(default_memory_is_aligned_and_writable);
     TEST(products_that_overflow_are_refused);
     TEST(growing_keeps_contents);
+    TEST(a_copy_is_of_all_or_of_nothing);
     return test_finish();
 }

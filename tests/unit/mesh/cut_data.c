@@ -3,30 +3,8 @@
 // halves must be closed and add up as those of boxes do (TRUST B8). The models are those of
 // SF_DATA.
 
-#include <sf/io.h>
-
+#include "data_file.h"
 #include "halves.h"
-
-static sf_status file_read(void *user, void *data, size_t capacity, size_t *size)
-{
-    *size = fread(data, 1, capacity, user);
-    return ferror((FILE *)user) ? SF_ERR_IO : SF_OK;
-}
-
-static sf_mesh *read_mesh(const char *path)
-{
-    char name[1024];
-    snprintf(name, sizeof name, "%s/%s", getenv("SF_DATA"), path);
-    FILE *file = fopen(name, "rb");
-    sf_mesh *mesh = NULL;
-    CHECK(file != NULL);
-    if (file != NULL) {
-        sf_source source = {file_read, file};
-        CHECK_EQ(sf_mesh_read(source, SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL), SF_OK);
-        fclose(file);
-    }
-    return mesh;
-}
 
 // The horse comes inside out; the others are one solid, whose caps lie flat.
 static void real_models_are_cut(void)
@@ -38,7 +16,7 @@ static void real_models_are_cut(void)
         SKIP("SF_DATA names no folder");
     }
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        sf_mesh *mesh = read_mesh(names[i]);
+        sf_mesh *mesh = data_mesh(names[i]);
         double low[3], high[3];
         if (mesh == NULL || sf_mesh_bounds(sf_mesh_get_view(mesh), low, high) != SF_OK) {
             continue;

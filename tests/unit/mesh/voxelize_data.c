@@ -5,35 +5,10 @@
 // turned triangles are whole blocks, and nothing broken is refused. Procedural twins:
 // voxelize_auto, voxelize_exact, voxelize_open.
 
-#include <sf/io.h>
-
+#include "data_file.h"
 #include "solids.h"
 
 #include <dirent.h>
-
-static sf_status file_read(void *user, void *data, size_t capacity, size_t *size)
-{
-    *size = fread(data, 1, capacity, user);
-    return ferror((FILE *)user) ? SF_ERR_IO : SF_OK;
-}
-
-static sf_mesh *read_mesh(const char *path)
-{
-    char name[1024];
-    snprintf(name, sizeof name, "%s/%s", getenv("SF_DATA"), path);
-    FILE *file = fopen(name, "rb");
-    sf_mesh *mesh = NULL;
-    if (file != NULL) {
-        sf_source source = {file_read, file};
-        CHECK_EQ(sf_mesh_read(source, SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL), SF_OK);
-        fclose(file);
-    }
-    if (mesh == NULL) {
-        printf("# %s cannot be read\n", name);
-    }
-    CHECK(mesh != NULL);
-    return mesh;
-}
 
 // The lattice of `resolution` cubes on the longest side, one empty voxel around in x and y.
 static sf_lattice lattice_around(sf_mesh_view mesh, uint32_t resolution)
@@ -57,7 +32,7 @@ static sf_lattice lattice_around(sf_mesh_view mesh, uint32_t resolution)
 static double voxel_volume(const char *path, uint32_t resolution, sf_voxelize_report *report,
                            double *mesh_volume)
 {
-    sf_mesh *mesh = read_mesh(path);
+    sf_mesh *mesh = data_mesh(path);
     if (mesh == NULL) {
         return 0;
     }
@@ -129,17 +104,10 @@ static int is_listed(const char *path)
 // Whether a file is a mesh that can be read, and is closed.
 static int is_closed(const char *path)
 {
-    char name[1024];
-    snprintf(name, sizeof name, "%s/%s", getenv("SF_DATA"), path);
-    FILE *file = fopen(name, "rb");
-    sf_mesh *mesh = NULL;
+    sf_mesh *mesh = data_mesh_if(path);
     sf_topology topology = {.closed = 0};
-    if (file != NULL) {
-        sf_source source = {file_read, file};
-        if (sf_mesh_read(source, SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL) == SF_OK) {
-            CHECK_EQ(sf_mesh_analyze(sf_mesh_get_view(mesh), NULL, &topology), SF_OK);
-        }
-        fclose(file);
+    if (mesh != NULL) {
+        CHECK_EQ(sf_mesh_analyze(sf_mesh_get_view(mesh), NULL, &topology), SF_OK);
     }
     sf_mesh_destroy(mesh);
     return topology.closed;
@@ -232,7 +200,7 @@ static void what_overlaps_counts_once(void)
     if (getenv("SF_DATA") == NULL) {
         SKIP("SF_DATA is not set");
     }
-    sf_mesh *mesh = read_mesh("broken/self_intersectA.obj");
+    sf_mesh *mesh = data_mesh("broken/self_intersectA.obj");
     if (mesh == NULL) {
         return;
     }
@@ -255,7 +223,7 @@ static void the_horse_is_its_own_flip(void)
     if (getenv("SF_DATA") == NULL) {
         SKIP("SF_DATA is not set");
     }
-    sf_mesh *mesh = read_mesh("characters/horse.ply");
+    sf_mesh *mesh = data_mesh("characters/horse.ply");
     if (mesh == NULL) {
         return;
     }

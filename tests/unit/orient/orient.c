@@ -3,10 +3,10 @@
 // head, a table on its top, a wedge on a flat side, and the two models of the data folder that are
 // named for what is wrong with them, with twins that need no folder.
 
+#include "data_file.h"
 #include "solids.h"
 #include "test.h"
 
-#include <sf/io.h>
 #include <sf/orient.h>
 
 static shape part;
@@ -108,33 +108,19 @@ static void twins_of_the_data(void)
     CHECK(given.trimmed_voxels > 0);
 }
 
-static sf_status file_read(void *user, void *data, size_t capacity, size_t *size)
-{
-    *size = fread(data, 1, capacity, user);
-    return ferror((FILE *)user) ? SF_ERR_IO : SF_OK;
-}
-
 static void models_of_the_data(void)
 {
     static const char *const names[] = {"parts/U_overhang.obj", "parts/A_upsidedown.obj"};
-    const char *folder = getenv("SF_DATA");
-    if (folder == NULL) {
+    if (getenv("SF_DATA") == NULL) {
         SKIP("SF_DATA is not set");
     }
     for (int i = 0; i < 2; i++) {
         sf_orient_options options = quick();
         sf_orientation given;
-        char path[1024];
-        sf_mesh *mesh = NULL;
-        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
-        FILE *file = fopen(path, "rb");
-        CHECK(file != NULL);
-        if (file == NULL) {
+        sf_mesh *mesh = data_mesh(names[i]);
+        if (mesh == NULL) {
             continue;
         }
-        sf_source source = {file_read, file};
-        CHECK_EQ(sf_mesh_read(source, SF_MESH_FORMAT_OBJ, NULL, NULL, &mesh, NULL), SF_OK);
-        fclose(file);
         sf_orientation best = best_of(sf_mesh_get_view(mesh), &options, &given);
         printf("# %s: up %.3f %.3f %.3f, lost %llu of %llu voxels, as given %llu\n", names[i],
                best.up[0], best.up[1], best.up[2], (unsigned long long)best.trimmed_voxels,
