@@ -9,7 +9,6 @@
 #include "expression.h"
 #include "json_read.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,35 +55,13 @@ static int which_key(const json_t *says, const char *const *names, int count)
 // Properties
 // ---------------------------------------------------------------------------------------------
 
-// The UUID of a name that has none of its own: always the same (version 8 of RFC 9562: made by
-// whoever makes it).
-static void make_uuid(const char *name, uint8_t uuid[16])
-{
-    uint64_t h = 0xcbf29ce484222325u; // FNV-1a, gone through twice
-    for (int half = 0; half < 2; half++) {
-        for (const char *c = name; *c != '\0'; c++) {
-            h = (h ^ (unsigned char)*c) * 0x100000001b3u;
-        }
-        for (int i = 0; i < 8; i++) {
-            uuid[8 * half + i] = (uint8_t)(h >> 8 * i);
-        }
-    }
-    uuid[6] = (uint8_t)(0x80 | (uuid[6] & 15));
-    uuid[8] = (uint8_t)(0x80 | (uuid[8] & 63));
-}
-
 static exit_status name_property(const step *s, const char *name, sf_property *p)
 {
     const sf_property known[3] = {sf_property_density(), sf_property_young(),
                                   sf_property_poisson()};
-    if (name == NULL || name[0] == '\0' || strlen(name) >= sizeof p->name) {
+    if (sf_property_named(name, p) != SF_OK) {
         return fail(s, "a property has a name of 1 to 47 bytes.");
     }
-    memset(p, 0, sizeof *p);
-    memcpy(p->name, name, strlen(name));
-    p->low = -INFINITY;
-    p->high = INFINITY;
-    make_uuid(name, p->uuid);
     for (int i = 0; i < 3; i++) {
         *p = strcmp(name, known[i].name) == 0 ? known[i] : *p;
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Properties that everybody means the same by.
+// Properties that everybody means the same by, and those that have a name only.
 //
-// Their UUIDs were drawn at random once (RFC 9562, version 4) and are part of the interface: files
-// of years ago are read by them.
+// The UUIDs of the known ones were drawn at random once (RFC 9562, version 4) and are part of the
+// interface: files of years ago are read by them. So is the rule that makes a UUID of a name.
 
 #include <sf/property.h>
 
+#include "base/sha256.h"
+
 #include <math.h>
+#include <string.h>
 
 sf_property sf_property_density(void)
 {
@@ -39,4 +42,29 @@ sf_property sf_property_poisson(void)
                            -1,
                            0.5};
     return poisson;
+}
+
+sf_status sf_property_named(const char *name, sf_property *property)
+{
+    static const char prefix[] = "libsf property ";
+    sf_property made = {"", {0}, {0}, -INFINITY, INFINITY};
+    size_t length = 0;
+    while (name != NULL && length < sizeof made.name && name[length] != '\0') {
+        length++;
+    }
+    if (property == NULL || length == 0 || length == sizeof made.name) {
+        return SF_ERR_ARGUMENT;
+    }
+    memcpy(made.name, name, length);
+    sfi_sha256 hash;
+    uint8_t digest[SFI_SHA256_SIZE];
+    sfi_sha256_begin(&hash);
+    sfi_sha256_add(&hash, prefix, sizeof prefix - 1);
+    sfi_sha256_add(&hash, name, length);
+    sfi_sha256_end(&hash, digest);
+    memcpy(made.uuid, digest, sizeof made.uuid);
+    made.uuid[6] = (uint8_t)(0x80 | (made.uuid[6] & 0x0f));
+    made.uuid[8] = (uint8_t)(0x80 | (made.uuid[8] & 0x3f));
+    *property = made;
+    return SF_OK;
 }

@@ -3,7 +3,6 @@
 
 #include "io/cage_raw.h"
 
-#include "base/sha256.h"
 #include "base/status.h"
 #include "io/number.h"
 
@@ -132,24 +131,10 @@ sf_status sfi_raw_unsupported(sfi_raw *raw, const char *sentence)
 
 sf_status sfi_raw_property(sfi_raw *raw, const char *name, sf_property *property)
 {
-    static const char prefix[] = "libsf property ";
-    sf_property made = {"", {0}, {0}, -INFINITY, INFINITY};
-    size_t length = strlen(name);
-    if (length == 0 || length >= SF_PROPERTY_NAME_SIZE) {
+    if (sf_property_named(name, property) != SF_OK) {
         return sfi_cursor_fault(raw->cursor, raw->fault,
                                 "the name of some data is empty or longer than 47 bytes; give them "
                                 "a shorter one");
     }
-    memcpy(made.name, name, length + 1);
-    sfi_sha256 state;
-    unsigned char digest[32];
-    sfi_sha256_begin(&state);
-    sfi_sha256_add(&state, prefix, sizeof prefix - 1);
-    sfi_sha256_add(&state, name, length);
-    sfi_sha256_end(&state, digest);
-    memcpy(made.uuid, digest, sizeof made.uuid);
-    made.uuid[6] = (uint8_t)(0x80 | (made.uuid[6] & 0x0f)); // version 8: made by a rule of our own
-    made.uuid[8] = (uint8_t)(0x80 | (made.uuid[8] & 0x3f));
-    *property = made;
     return SF_OK;
 }

@@ -57,6 +57,21 @@ SF_API sf_property sf_property_young(void);
  */
 SF_API sf_property sf_property_poisson(void);
 
+/**
+ * A property of which no more than the name is known: a bare number without bounds.
+ *
+ * Its UUID is made of the name, and the same wherever that is: the first 16 bytes of SHA-256 of
+ * "libsf property " and the name, marked as version 8 of RFC 9562. Cages of files without UUIDs
+ * have such properties. Whoever publishes a property draws a UUID of its own at random instead.
+ *
+ * @param name      1 to 47 bytes of UTF-8, ended by a 0
+ * @param property  receives the property
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a name that is empty or too long.
+ * @cost constant.   @threads any.
+ * @since 0.2
+ */
+SF_API SF_CHECKED sf_status sf_property_named(const char *name, sf_property *property);
+
 /** The values of one property over a mesh. */
 typedef struct sf_channel {
     sf_property property; /**< what it is */

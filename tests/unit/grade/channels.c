@@ -21,7 +21,7 @@ static sf_channel channel_of(sf_property property)
     return channel;
 }
 
-static void check_uuid(sf_property property, const char *text)
+static void check_uuid(sf_property property, const char *text, int version)
 {
     char found[37];
     char *at = found;
@@ -30,7 +30,7 @@ static void check_uuid(sf_property property, const char *text)
                        property.uuid[i]);
     }
     CHECK_STR(found, text);
-    CHECK_EQ(property.uuid[6] >> 4, 4); // drawn at random
+    CHECK_EQ(property.uuid[6] >> 4, version); // 4: drawn at random, 8: made by a rule
     CHECK_EQ(property.uuid[8] >> 6, 2);
     CHECK_EQ(sfi_property_check(&property, 0, NULL), SF_OK);
 }
@@ -39,14 +39,37 @@ static void constant_properties_stay_what_they_are(void)
 {
     sf_property density = sf_property_density(), young = sf_property_young();
     sf_property poisson = sf_property_poisson();
-    check_uuid(density, "408b9c0d-608a-45f0-9af1-ffeeda90d9ea");
-    check_uuid(young, "2b3d5e79-5dc1-4ea8-8d04-c48865cea0c1");
-    check_uuid(poisson, "db254ec6-a58b-45d9-97b5-809fe7e620b2");
+    check_uuid(density, "408b9c0d-608a-45f0-9af1-ffeeda90d9ea", 4);
+    check_uuid(young, "2b3d5e79-5dc1-4ea8-8d04-c48865cea0c1", 4);
+    check_uuid(poisson, "db254ec6-a58b-45d9-97b5-809fe7e620b2", 4);
     static const int8_t pascal[7] = {-1, 1, -2, 0, 0, 0, 0};
     CHECK(memcmp(young.si, pascal, 7) == 0);
     CHECK(density.si[0] == -3 && density.si[1] == 1 && density.si[2] == 0);
     CHECK(sfi_property_allows(&poisson, 0.5) && !sfi_property_allows(&poisson, 0.51));
     CHECK(!sfi_property_allows(&density, INFINITY) && !sfi_property_allows(&density, NAN));
+}
+
+// The UUID was made by another program, of the rule that the header states.
+static void a_name_makes_a_property(void)
+{
+    sf_property made = sf_property_density(), again;
+    char long_name[SF_PROPERTY_NAME_SIZE + 1];
+    memset(long_name, 'x', sizeof long_name);
+    long_name[SF_PROPERTY_NAME_SIZE] = '\0';
+    CHECK_EQ(sf_property_named("stiffness", &made), SF_OK);
+    check_uuid(made, "e3cb4e9e-4d9d-8698-b6aa-d73a73d6bff2", 8);
+    CHECK_STR(made.name, "stiffness");
+    CHECK(made.low == -INFINITY && made.high == INFINITY && made.si[1] == 0);
+    again = made;
+    CHECK_EQ(sf_property_named("", &again), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_property_named(long_name, &again), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_property_named(NULL, &again), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_property_named("stiffness", NULL), SF_ERR_ARGUMENT);
+    CHECK_STR(again.name, made.name);
+    CHECK(memcmp(again.uuid, made.uuid, sizeof made.uuid) == 0);
+    long_name[SF_PROPERTY_NAME_SIZE - 1] = '\0';
+    CHECK_EQ(sf_property_named(long_name, &again), SF_OK);
+    CHECK_STR(again.name, long_name);
 }
 
 static void copies_are_apart_from_what_they_were_made_of(void)
@@ -154,6 +177,7 @@ static void without_memory_there_are_none(void)
 int main(void)
 {
     TEST(constant_properties_stay_what_they_are);
+    TEST(a_name_makes_a_property);
     TEST(copies_are_apart_from_what_they_were_made_of);
     TEST(what_is_wrong_is_said);
     TEST(there_is_an_end_to_properties);
