@@ -64,6 +64,13 @@ static exit_status choose_two(cli_job *job, const solid_input *in, materials *m)
         low = fmin(low, c->values[i]);
         high = fmax(high, c->values[i]);
     }
+    if (low == high) {
+        job_warn(
+            job,
+            "%s: '%s' is %g everywhere, so that all of it is of one material; paint it, or say "
+            "by --materials what %g is.",
+            job->options.input, name, low, low);
+    }
     return materials_between(job, name, low, high, m);
 }
 

@@ -19,7 +19,7 @@ if [ "$exit" -ne 0 ] && grep -q "without PNG\|build it with libspng" stderr; the
     echo "1..0 # SKIP this build writes no PNG"
     exit 0
 fi
-same "$exit $(value properties.0)" "0 stiffness" "one property needs no name"
+same "$exit $(value properties.0) $(value warnings)" "0 stiffness 0" "one property needs no name"
 solid=$(value solid_voxels)
 same "$(($(value materials.0.voxels) + $(value materials.1.voxels)))" "$solid" "every solid voxel has a material"
 awk -v a="$(value materials.0.tone_asked)" -v b="$(value materials.0.tone_obtained)" \
@@ -53,6 +53,11 @@ exits 0 grade cage.vtk --resolution 40 -o one --threads 1
 exits 0 grade cage.vtk --resolution 40 -o many --threads 7
 cmp -s one/layer_00010.png many/layer_00010.png && cmp -s one/stack.json many/stack.json
 ok $? "one thread and seven write the same bytes"
+
+# A property that is the same everywhere needs no printer of two materials.
+awk '/^LOOKUP_TABLE/ { print; values = 1; next } values { print 3; next } { print }' cage.vtk >even.vtk
+exits 0 grade even.vtk --resolution 16 -o even --json
+same "$(value warnings) $(value materials.1.voxels)" "1 0" "one that is the same everywhere is worth a warning"
 
 # What cannot be.
 exits 2 grade cage.vtk
