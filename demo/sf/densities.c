@@ -149,6 +149,35 @@ static sf_status fill(cli_job *job, const part *p, plan *made, float *each)
     return status;
 }
 
+// A region beside the part does nothing, and is likely one in other numbers than the file's.
+static void warn_of_air(cli_job *job, const part *p, const plan *made)
+{
+    sf_lattice l = sf_grid_lattice(p->grid);
+    const double *low = l.origin_mm;
+    const double high[3] = {low[0] + l.nx * l.pitch_x_mm, low[1] + l.ny * l.pitch_y_mm,
+                            sf_lattice_layer_bottom(&l, l.nz)};
+    for (size_t i = 0; i < made->options.region_count; i++) {
+        const sf_density_region *r = &made->regions[i];
+        double from[3], to[3];
+        memcpy(from, r->low_mm, sizeof from);
+        memcpy(to, r->high_mm, sizeof to);
+        if (r->shape == SF_DENSITY_MESH && sf_mesh_bounds(r->mesh, from, to) != SF_OK) {
+            continue;
+        }
+        int meets = 1;
+        for (int n = 0; n < 3; n++) {
+            meets = meets && from[n] < high[n] && to[n] > low[n];
+        }
+        if (!meets) {
+            job_warn(job,
+                     "--density %.300s: region %zu lies beside the part and does nothing; its "
+                     "places are those of the part's file, before --up, --units, --scale and "
+                     "--size.",
+                     job->options.density, i + 1);
+        }
+    }
+}
+
 static exit_status apply(cli_job *job, const part *p, plan *made, densities *d)
 {
     sf_lattice l = sf_grid_lattice(p->grid);
@@ -156,6 +185,7 @@ static exit_status apply(cli_job *job, const part *p, plan *made, densities *d)
     if (d->each == NULL) {
         return fail(job, EXIT_RESOURCE, "there is no memory for a number for each voxel.");
     }
+    warn_of_air(job, p, made);
     progress_phase("weighing");
     sf_status status = fill(job, p, made, d->each);
     return status == SF_OK ? EXIT_GOOD

@@ -159,9 +159,18 @@ cat >density.json <<'END'
              {"mesh": "half.obj", "density": 1}]}
 END
 exits 0 hollow block.obj --pitch 1 --wall 3 --density density.json --json
-same "$(value mass_before)" "90000" "or a file with regions"
+same "$(value mass_before) $(value warnings)" "90000 0" "or a file with regions"
 awk -v x="$(value com_before_mm.0)" 'BEGIN { exit !(x > 25.999 && x < 26.001) }'
 ok $? "which move the centre of mass ($(value com_before_mm.0))"
+cat >beside.json <<'END'
+{"format": "libsf-density", "version": 1, "density": 2,
+ "regions": [{"box": {"low": [20, 0, 0], "high": [40, 30, 30]}, "density": 4},
+             {"box": {"low": [20, 0, 300], "high": [40, 30, 310]}, "density": 4},
+             {"mesh": "half.obj", "density": 2}]}
+END
+exits 0 hollow block.obj --pitch 1 --wall 3 --density beside.json
+grep -q "region 2 lies beside the part" stderr
+ok $? "a region beside the part is worth a warning"
 cat >infill.json <<'END'
 {"format": "libsf-density", "version": 1, "density": 2, "infill": 0.25, "wall_mm": 3}
 END
