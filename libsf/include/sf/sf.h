@@ -29,6 +29,7 @@
 #include <sf/refine.h>
 #include <sf/repair.h>
 #include <sf/sample.h>
+#include <sf/sculpt.h>
 #include <sf/stance.h>
 #include <sf/stand.h>
 #include <sf/support.h>

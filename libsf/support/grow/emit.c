@@ -23,6 +23,7 @@
 
 #include "base/status.h"
 #include "support/grow/site.h"
+#include "voxel/stamp.h"
 
 typedef struct emission {
     sfi_site site;
@@ -47,53 +48,16 @@ static sf_status make_layers(const sfi_site *site, uint32_t count, sf_grid **gri
 // Stamping
 // ---------------------------------------------------------------------------------------------
 
-// to |= from, moved by dx voxels; what leaves the row on either side is lost.
-static void stamp_row(uint64_t *to, size_t to_words, const uint64_t *from, size_t from_words,
-                      int64_t dx)
-{
-    unsigned shift = (unsigned)(dx & 63);
-    int64_t first = (dx - (int64_t)shift) / 64;
-    for (size_t i = 0; i < from_words; i++) {
-        int64_t at = first + (int64_t)i;
-        if (at >= 0 && at < (int64_t)to_words) {
-            to[at] |= from[i] << shift;
-        }
-        if (shift > 0 && at + 1 >= 0 && at + 1 < (int64_t)to_words) {
-            to[at + 1] |= from[i] >> (64 - shift);
-        }
-    }
-}
-
-static void stamp_brush(const emission *e, sf_voxel p)
-{
-    sf_lattice brush = sf_grid_lattice(e->stroke->brush);
-    sf_voxel anchor = e->stroke->anchor;
-    for (uint32_t bz = 0; bz < brush.nz; bz++) {
-        int64_t z = (int64_t)p.z + bz - anchor.z;
-        if (z < e->z0 || z >= e->z1) {
-            continue;
-        }
-        sf_slice to = sf_grid_slice(e->added, (uint32_t)z - e->z0);
-        sf_slice from = sf_grid_slice(e->stroke->brush, bz);
-        for (uint32_t by = 0; by < brush.ny; by++) {
-            int64_t y = (int64_t)p.y + by - anchor.y;
-            if (y >= 0 && y < to.height) {
-                stamp_row(sfi_slice_row(to, (uint32_t)y), sfi_row_words(to.width),
-                          sfi_slice_row(from, by), sfi_row_words(from.width),
-                          (int64_t)p.x - anchor.x);
-            }
-        }
-    }
-}
-
 // A = the brush all along the path, and the path, where the terms let something be added.
 static sf_status stamp(emission *e)
 {
     const sf_stroke *s = e->stroke;
     for (size_t i = 0; i < s->count; i++) {
-        stamp_brush(e, s->path[i]);
-        SF_TRY(sf_slice_set(sf_grid_slice(e->added, s->path[i].z - e->z0), s->path[i].x,
-                            s->path[i].y, 1));
+        sf_voxel p = s->path[i];
+        int64_t by[3] = {(int64_t)p.x - s->anchor.x, (int64_t)p.y - s->anchor.y,
+                         (int64_t)p.z - s->anchor.z - e->z0};
+        (void)sfi_grid_stamp(e->added, s->brush, by);
+        SF_TRY(sf_slice_set(sf_grid_slice(e->added, p.z - e->z0), p.x, p.y, 1));
     }
     for (uint32_t z = e->z0; z < e->z1; z++) {
         sf_slice slice = sf_grid_slice(e->added, z - e->z0);

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Brace: what add-grow puts below tips that would not be carried.
+//
+// Let U be the union of the tips on or above the bed, T what is printable of the shape with U and
+// the paths below it, and F = T + U. From the top layer of U down to the bed, with X_k what is
+// added in layer k:
+//
+//     A = U_{k+1} + X_{k+1}                       what must stand in the layer above
+//     R = A \ dilate(F_k)                         what of it nothing carries
+//     X_k = erode(A + T_{k+1}) and dilate(R) and A, without F_k       its core
+//     X_k = X_k + (R \ dilate(F_k + X_k))         straight below what the core does not carry
+//
+// A voxel of U or X is carried by F or X below it, one of T by T; so T + U + X is support-free, and
+// all of U is printable. The core shrinks by an element from layer to layer, so a brace narrows at
+// the rule's own angle until it meets what stands, as a capital does on its column; what is too
+// thin for a core goes straight down. X lies below U, voxel under voxel.
+//
+// Under rules with slack or bridges a layer's bits do not tell what carries: there every voxel of U
+// that is not printable gets a column down to the bed, which carries under any rule.
+
+#include "base/memory.h"
+#include "base/status.h"
+#include "sculpt/model.h"
+#include "sculpt/rows.h"
+#include "support/rule/carry.h"
+#include "voxel/slice.h"
+
+enum { ABOVE, FIXED, REST, CORE, SPREAD, HEAVY, SLICE_COUNT };
+
+// The sweep, in one window of all layers.
+typedef struct sweep {
+    sf_sculpt *model;
+    sf_rect part;
+    sf_slice s[SLICE_COUNT];
+    sf_box braced;
+} sweep;
+
+static sf_slice window(const sweep *w, const sf_grid *grid, uint32_t k)
+{
+    return sfi_slice_window(sf_grid_slice(grid, k), w->part);
+}
+
+// ---------------------------------------------------------------------------------------------
+// A layer
+// ---------------------------------------------------------------------------------------------
+
+// core = X_k: of `above`, which R hangs on.
+static sf_status choose(const sweep *w, uint32_t k, const sf_element *e)
+{
+    sf_slice above = w->s[ABOVE], rest = w->s[REST], core = w->s[CORE], spread = w->s[SPREAD];
+    sf_slice fixed = w->s[FIXED], heavy = w->s[HEAVY];
+    SF_TRY(sf_slice_or(heavy, above, window(w, w->model->now.printable, k + 1)));
+    SF_TRY(sf_slice_erode(core, heavy, e, SF_BORDER_EMPTY));
+    SF_TRY(sf_slice_dilate(spread, rest, e, SF_BORDER_EMPTY));
+    SF_TRY(sf_slice_and(core, core, spread));
+    SF_TRY(sf_slice_and(core, core, above));
+    SF_TRY(sf_slice_subtract(core, core, fixed));
+    SF_TRY(sf_slice_dilate(spread, core, e, SF_BORDER_EMPTY)); // F carries none of the rest
+    SF_TRY(sf_slice_subtract(rest, rest, spread));
+    return sf_slice_or(core, core, rest);
+}
+
+// X_k into D, with its material; ghosts that were there stay what they are.
+static void add(sweep *w, uint32_t k)
+{
+    sf_sculpt *m = w->model;
+    sf_slice core = w->s[CORE], drawn = window(w, m->now.drawn, k);
+    size_t first = w->part.x0 / 64;
+    for (uint32_t y = 0; y < core.height; y++) {
+        const uint64_t *x = sfi_slice_row(core, y);
+        uint64_t *d = sfi_slice_row(drawn, y);
+        uint8_t *materials = sfi_material_row(m, &m->now, w->part.y0 + y, k);
+        for (size_t i = 0; i < sfi_row_words(core.width); i++) {
+            uint64_t fresh = x[i] & ~d[i];
+            d[i] |= fresh;
+            sfi_bytes_set(materials, first + i, fresh, m->stroke.brush.material);
+            sfi_box_note(&w->braced, first + i, x[i], w->part.y0 + y, k);
+        }
+    }
+}
+
+// Layer k, below A; leaves in `above` what must stand in layer k.
+static sf_status brace_layer(sweep *w, uint32_t k)
+{
+    sf_sculpt *m = w->model;
+    sf_element e;
+    sf_rect all = {0, 0, w->s[0].width, w->s[0].height};
+    sf_slice tips = window(w, m->tips, k), rest = w->s[REST], fixed = w->s[FIXED];
+    SF_TRY(sf_rule_element(&m->terms.rule, k, &e));
+    SF_TRY(sf_slice_or(fixed, tips, window(w, m->now.printable, k)));
+    SF_TRY(sf_slice_dilate(w->s[SPREAD], fixed, &e, SF_BORDER_EMPTY));
+    SF_TRY(sf_slice_subtract(rest, w->s[ABOVE], w->s[SPREAD]));
+    SF_TRY(sf_slice_fill(w->s[CORE], all, 0));
+    if (sfi_slice_any(rest)) {
+        SF_TRY(choose(w, k, &e));
+        add(w, k);
+    }
+    return sf_slice_or(w->s[ABOVE], tips, w->s[CORE]);
+}
+
+static sf_status sweep_down(sweep *w)
+{
+    sf_sculpt *m = w->model;
+    sf_box tips = m->stroke.tips;
+    uint32_t bed = m->terms.bed_layer;
+    SF_TRY(sf_slice_copy(w->s[ABOVE], window(w, m->tips, tips.z1 - 1)));
+    for (uint32_t k = tips.z1 - 1; k-- > bed;) {
+        if (k + 1 < tips.z0 && !sfi_slice_any(w->s[ABOVE])) {
+            break;
+        }
+        SF_TRY(brace_layer(w, k));
+    }
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Columns
+// ---------------------------------------------------------------------------------------------
+
+static sf_status columns_down(sweep *w)
+{
+    sf_sculpt *m = w->model;
+    sf_slice core = w->s[CORE];
+    sf_rect all = {0, 0, core.width, core.height};
+    SF_TRY(sf_slice_fill(core, all, 0));
+    for (uint32_t k = m->stroke.tips.z1; k-- > m->terms.bed_layer;) {
+        SF_TRY(
+            sf_slice_subtract(w->s[REST], window(w, m->tips, k), window(w, m->now.printable, k)));
+        SF_TRY(sf_slice_or(core, core, w->s[REST]));
+        add(w, k);
+    }
+    return SF_OK;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The call
+// ---------------------------------------------------------------------------------------------
+
+// The tips' rectangle, grown by as far as a step reaches, and to whole words.
+static sf_status find_part(sweep *w)
+{
+    sf_sculpt *m = w->model;
+    sf_box b = m->stroke.tips;
+    sf_slice slice = sf_grid_slice(m->tips, 0);
+    sf_rect rect = {b.x0, b.y0, b.x1, b.y1};
+    uint32_t rx = 0, ry = 0;
+    for (uint32_t k = m->terms.bed_layer; k + 1 < b.z1; k++) {
+        sf_element e;
+        SF_TRY(sf_rule_element(&m->terms.rule, k, &e));
+        rx = e.half_width[0] > rx ? e.half_width[0] : rx;
+        ry = e.reach_y > ry ? e.reach_y : ry;
+    }
+    w->part = sfi_rect_align(sfi_rect_grow(rect, rx, ry, slice), slice);
+    return SF_OK;
+}
+
+static int all_printable(const sf_sculpt *m)
+{
+    sf_box b = m->stroke.tips;
+    size_t first = sfi_box_first_word(b), end = sfi_box_end_word(b);
+    for (uint32_t z = b.z0 > m->terms.bed_layer ? b.z0 : m->terms.bed_layer; z < b.z1; z++) {
+        sf_slice tips = sf_grid_slice(m->tips, z), alive = sf_grid_slice(m->now.printable, z);
+        for (uint32_t y = b.y0; y < b.y1; y++) {
+            const uint64_t *u = sfi_slice_row(tips, y), *t = sfi_slice_row(alive, y);
+            for (size_t i = first; i < end; i++) {
+                if ((u[i] & ~t[i]) != 0) {
+                    return 0;
+                }
+            }
+        }
+    }
+    return 1;
+}
+
+sf_status sfi_brace(sf_sculpt *m, sf_box *braced)
+{
+    sweep w = {.model = m};
+    if (all_printable(m)) {
+        return SF_OK;
+    }
+    SF_TRY(find_part(&w));
+    uint32_t width = w.part.x1 - w.part.x0, height = w.part.y1 - w.part.y0;
+    size_t words = sfi_row_words(width) * height; // less than a slice has
+    uint64_t *memory = sfi_alloc_array(&m->scratch, SLICE_COUNT, words * sizeof *memory);
+    if (memory == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    for (size_t i = 0; i < SLICE_COUNT; i++) {
+        sf_slice slice = {memory + i * words, width, height, sfi_row_words(width)};
+        w.s[i] = slice;
+    }
+    sf_status status = sfi_rule_is_element(&m->terms.rule) ? sweep_down(&w) : columns_down(&w);
+    sfi_free_array(&m->scratch, memory, SLICE_COUNT, words * sizeof *memory);
+    *braced = w.braced;
+    return status;
+}

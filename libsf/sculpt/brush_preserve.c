@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Remove-preserve: remove the tips, and keep of them what carries the rest.
+//
+// What is kept is what sf_grid_preserve() keeps of T for the union of the tips; two tips removed
+// one after the other are not what both are at once, so each call begins anew with the state before
+// the stroke. With V' the result and D' = (D \ U) + V', T' = trim(D') is V': it holds V', which is
+// support-free, and lies within trim(D) = T, of which D' holds only V'.
+
+#include "base/status.h"
+#include "sculpt/model.h"
+#include "sculpt/rows.h"
+#include "voxel/slice.h"
+
+static sf_status preserve(sf_sculpt *m)
+{
+    sf_preserve_options options = sf_preserve_options_default();
+    options.brush_box = m->stroke.tips;
+    options.known_support_free = 1;
+    return sf_grid_preserve(m->now.printable, m->tips, &m->terms, &options, &m->scratch, NULL,
+                            NULL);
+}
+
+// D and materials follow T, in one row.
+static void follow(const sf_sculpt *m, sf_box box, uint32_t y, uint32_t z, sfi_touch *touched)
+{
+    const uint64_t *was = sfi_slice_row(sf_grid_slice(m->before.drawn, z), y);
+    const uint64_t *u = sfi_slice_row(sf_grid_slice(m->tips, z), y);
+    const uint64_t *t = sfi_slice_row(sf_grid_slice(m->now.printable, z), y);
+    uint64_t *d = sfi_slice_row(sf_grid_slice(m->now.drawn, z), y);
+    uint8_t *materials = sfi_material_row(m, &m->now, y, z);
+    const uint8_t *were = sfi_material_row(m, &m->before, y, z);
+    for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+        uint64_t fresh = was[i] & (~u[i] | t[i]), changed = fresh ^ d[i];
+        d[i] = fresh;
+        sfi_bytes_set(materials, i, changed & ~fresh, 0);
+        sfi_bytes_copy(materials, were, i, changed & fresh);
+        sfi_box_note(&touched->drawn, i, changed, y, z);
+        sfi_box_note(&touched->material, i, changed, y, z);
+    }
+}
+
+sf_status sfi_brush_preserve(sf_sculpt *m, sfi_touch *touched)
+{
+    sf_box box = m->stroke.tips;
+    sfi_touch restored = {{0, 0, 0, 0, 0, 0}, box, {0, 0, 0, 0, 0, 0}};
+    sfi_sculpt_copy(m, &m->now, &m->before, &restored);
+    SF_TRY(preserve(m));
+    for (uint32_t z = box.z0; z < box.z1; z++) {
+        for (uint32_t y = box.y0; y < box.y1; y++) {
+            follow(m, box, y, z, touched);
+        }
+    }
+    touched->printable = sfi_box_join(touched->printable, touched->drawn);
+    return SF_OK;
+}

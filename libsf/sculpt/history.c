@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// History: steps that can be taken back and done again, in a ring of bytes.
+//
+// A step is a row of numbers (what they mean is delta.c's affair), between two copies of its
+// length, so that it can be found from either end. Where the ring is full the oldest steps are
+// forgotten, one after the other, while the new one is written; a step that is larger than the ring
+// leaves it empty.
+
+#include "sculpt/history.h"
+
+// Bytes of a length, before and after each step.
+#define LENGTH_SIZE 8u
+
+static uint8_t *place(const sfi_history *h, uint64_t at)
+{
+    return h->bytes + at % h->capacity;
+}
+
+static void put_length(const sfi_history *h, uint64_t at, uint64_t length)
+{
+    for (unsigned i = 0; i < LENGTH_SIZE; i++) {
+        *place(h, at + i) = (uint8_t)(length >> 8 * i);
+    }
+}
+
+static uint64_t get_length(const sfi_history *h, uint64_t at)
+{
+    uint64_t length = 0;
+    for (unsigned i = 0; i < LENGTH_SIZE; i++) {
+        length |= (uint64_t)*place(h, at + i) << 8 * i;
+    }
+    return length;
+}
+
+static void forget_all(sfi_history *history)
+{
+    history->forgotten_count += history->undo_count;
+    history->first = history->here = history->end = 0;
+    history->undo_count = history->redo_count = 0;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Writing
+// ---------------------------------------------------------------------------------------------
+
+// Room for one more byte, by forgetting.
+static void make_room(sfi_step_writer *w)
+{
+    sfi_history *h = w->history;
+    while (!w->is_full && w->at + 1 - h->first > h->capacity) {
+        if (h->undo_count == 0) {
+            w->is_full = 1;
+            return;
+        }
+        h->first += get_length(h, h->first) + 2 * LENGTH_SIZE;
+        h->undo_count--;
+        h->forgotten_count++;
+    }
+}
+
+static void put_byte(sfi_step_writer *w, uint8_t byte)
+{
+    make_room(w);
+    if (!w->is_full) {
+        *place(w->history, w->at++) = byte;
+    }
+}
+
+sfi_step_writer sfi_history_begin(sfi_history *history)
+{
+    history->end = history->here;
+    history->redo_count = 0;
+    sfi_step_writer w = {history, history->here, 0};
+    for (unsigned i = 0; i < LENGTH_SIZE; i++) {
+        put_byte(&w, 0);
+    }
+    return w;
+}
+
+void sfi_step_put(sfi_step_writer *writer, uint64_t number)
+{
+    for (; number > 127; number >>= 7) {
+        put_byte(writer, (uint8_t)(number | 128));
+    }
+    put_byte(writer, (uint8_t)number);
+}
+
+void sfi_history_end(sfi_step_writer *writer)
+{
+    sfi_history *h = writer->history;
+    uint64_t length = writer->at - h->here - LENGTH_SIZE;
+    for (unsigned i = 0; i < LENGTH_SIZE; i++) {
+        put_byte(writer, (uint8_t)(length >> 8 * i));
+    }
+    if (writer->is_full) {
+        forget_all(h);
+        h->forgotten_count++;
+        return;
+    }
+    put_length(h, h->here, length);
+    h->here = h->end = writer->at;
+    h->undo_count++;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Reading
+// ---------------------------------------------------------------------------------------------
+
+sfi_step_reader sfi_history_back(sfi_history *history)
+{
+    history->here -= get_length(history, history->here - LENGTH_SIZE) + 2 * LENGTH_SIZE;
+    history->undo_count--;
+    history->redo_count++;
+    sfi_step_reader reader = {history, history->here + LENGTH_SIZE};
+    return reader;
+}
+
+sfi_step_reader sfi_history_forward(sfi_history *history)
+{
+    sfi_step_reader reader = {history, history->here + LENGTH_SIZE};
+    history->here += get_length(history, history->here) + 2 * LENGTH_SIZE;
+    history->undo_count++;
+    history->redo_count--;
+    return reader;
+}
+
+uint64_t sfi_step_get(sfi_step_reader *reader)
+{
+    uint64_t number = 0;
+    for (unsigned shift = 0;; shift += 7) {
+        uint8_t byte = *place(reader->history, reader->at++);
+        number |= (uint64_t)(byte & 127) << shift;
+        if (byte < 128) {
+            return number;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Rows of bits and of bytes beside them.
+
+#ifndef SF_SCULPT_ROWS_H
+#define SF_SCULPT_ROWS_H
+
+#include <sf/voxel.h>
+
+#include <string.h>
+
+#include "base/bits.h"
+#include "voxel/rect.h"
+
+// Words that hold the columns of a box: first <= i < end.
+static inline size_t sfi_box_first_word(sf_box box)
+{
+    return box.x0 / 64;
+}
+
+static inline size_t sfi_box_end_word(sf_box box)
+{
+    return ((size_t)box.x1 + 63) / 64;
+}
+
+// The lowest and past the last bit of a run of ones in `bits`, which is not 0, from below.
+static inline uint32_t sfi_take_run(uint64_t *bits, uint32_t *start)
+{
+    uint32_t first = sfi_lowest_bit(*bits);
+    uint64_t rest = ~(*bits >> first);
+    uint32_t length = rest != 0 ? sfi_lowest_bit(rest) : 64;
+    length = length > 64 - first ? 64 - first : length;
+    uint64_t ones = length < 64 ? (UINT64_C(1) << length) - 1 : ~UINT64_C(0);
+    *bits &= ~(ones << first);
+    *start = first;
+    return length;
+}
+
+// The bytes of the set bits of word i to a value.
+static inline void sfi_bytes_set(uint8_t *row, size_t i, uint64_t bits, uint8_t value)
+{
+    while (bits != 0) {
+        uint32_t start, length = sfi_take_run(&bits, &start);
+        memset(row + i * 64 + start, value, length);
+    }
+}
+
+// The bytes of the set bits of word i to those of another row.
+static inline void sfi_bytes_copy(uint8_t *row, const uint8_t *from, size_t i, uint64_t bits)
+{
+    while (bits != 0) {
+        uint32_t start, length = sfi_take_run(&bits, &start);
+        memcpy(row + i * 64 + start, from + i * 64 + start, length);
+    }
+}
+
+// *box grown by the set bits of word i of row y in layer z.
+static inline void sfi_box_note(sf_box *box, size_t i, uint64_t bits, uint32_t y, uint32_t z)
+{
+    if (bits != 0) {
+        uint32_t x = (uint32_t)i * 64;
+        sf_rect rect = {x + sfi_lowest_bit(bits), y, x + sfi_highest_bit(bits) + 1, y + 1};
+        *box = sfi_box_union(*box, rect, z);
+    }
+}
+
+#endif
