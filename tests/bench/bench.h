@@ -24,6 +24,10 @@ int bench_wants(const char *job);
 void bench_measure(const char *job, const char *size, double goal, double amount, const char *unit,
                    const bench_work *work);
 
+// Print and keep the median and the 99th percentile of times that were taken one by one, which are
+// put in order. `goal_ms` is what the percentile should stay under.
+void bench_spread(const char *job, const char *size, double goal_ms, double *times_ms, int count);
+
 // Leave the program when a call of the library fails.
 void bench_must(sf_status status);
 void *bench_memory(size_t size);
@@ -45,5 +49,6 @@ void bench_carve(void);
 void bench_handles(void);
 void bench_halftone(void);
 void bench_grade(void);
+void bench_sculpt(void);
 
 #endif
