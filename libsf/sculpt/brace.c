@@ -32,7 +32,6 @@ typedef struct sweep {
     sf_sculpt *model;
     sf_rect part;
     sf_slice s[SLICE_COUNT];
-    sf_box braced;
 } sweep;
 
 static sf_slice window(const sweep *w, const sf_grid *grid, uint32_t k)
@@ -73,8 +72,8 @@ static void add(sweep *w, uint32_t k)
         for (size_t i = 0; i < sfi_row_words(core.width); i++) {
             uint64_t fresh = x[i] & ~d[i];
             d[i] |= fresh;
-            sfi_bytes_set(materials, first + i, fresh, m->stroke.brush.material);
-            sfi_box_note(&w->braced, first + i, x[i], w->part.y0 + y, k);
+            sfi_bytes_set(materials, first + i, fresh, m->brush.material);
+            sfi_area_note(&m->braced, first + i, x[i], w->part.y0 + y, k);
         }
     }
 }
@@ -101,7 +100,7 @@ static sf_status brace_layer(sweep *w, uint32_t k)
 static sf_status sweep_down(sweep *w)
 {
     sf_sculpt *m = w->model;
-    sf_box tips = m->stroke.tips;
+    sf_box tips = sfi_area_bounds(&m->in_tips);
     uint32_t bed = m->terms.bed_layer;
     SF_TRY(sf_slice_copy(w->s[ABOVE], window(w, m->tips, tips.z1 - 1)));
     for (uint32_t k = tips.z1 - 1; k-- > bed;) {
@@ -123,7 +122,7 @@ static sf_status columns_down(sweep *w)
     sf_slice core = w->s[CORE];
     sf_rect all = {0, 0, core.width, core.height};
     SF_TRY(sf_slice_fill(core, all, 0));
-    for (uint32_t k = m->stroke.tips.z1; k-- > m->terms.bed_layer;) {
+    for (uint32_t k = m->in_tips.z1; k-- > m->terms.bed_layer;) {
         SF_TRY(
             sf_slice_subtract(w->s[REST], window(w, m->tips, k), window(w, m->now.printable, k)));
         SF_TRY(sf_slice_or(core, core, w->s[REST]));
@@ -140,7 +139,7 @@ static sf_status columns_down(sweep *w)
 static sf_status find_part(sweep *w)
 {
     sf_sculpt *m = w->model;
-    sf_box b = m->stroke.tips;
+    sf_box b = sfi_area_bounds(&m->in_tips);
     sf_slice slice = sf_grid_slice(m->tips, 0);
     sf_rect rect = {b.x0, b.y0, b.x1, b.y1};
     uint32_t rx = 0, ry = 0;
@@ -156,13 +155,13 @@ static sf_status find_part(sweep *w)
 
 static int all_printable(const sf_sculpt *m)
 {
-    sf_box b = m->stroke.tips;
-    size_t first = sfi_box_first_word(b), end = sfi_box_end_word(b);
-    for (uint32_t z = b.z0 > m->terms.bed_layer ? b.z0 : m->terms.bed_layer; z < b.z1; z++) {
+    const sfi_area *a = &m->in_tips;
+    for (uint32_t z = a->z0 > m->terms.bed_layer ? a->z0 : m->terms.bed_layer; z < a->z1; z++) {
         sf_slice tips = sf_grid_slice(m->tips, z), alive = sf_grid_slice(m->now.printable, z);
-        for (uint32_t y = b.y0; y < b.y1; y++) {
+        sf_rect r = a->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint64_t *u = sfi_slice_row(tips, y), *t = sfi_slice_row(alive, y);
-            for (size_t i = first; i < end; i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 if ((u[i] & ~t[i]) != 0) {
                     return 0;
                 }
@@ -172,7 +171,7 @@ static int all_printable(const sf_sculpt *m)
     return 1;
 }
 
-sf_status sfi_brace(sf_sculpt *m, sf_box *braced)
+sf_status sfi_brace(sf_sculpt *m)
 {
     sweep w = {.model = m};
     if (all_printable(m)) {
@@ -191,6 +190,5 @@ sf_status sfi_brace(sf_sculpt *m, sf_box *braced)
     }
     sf_status status = sfi_rule_is_element(&m->terms.rule) ? sweep_down(&w) : columns_down(&w);
     sfi_free_array(&m->scratch, memory, SLICE_COUNT, words * sizeof *memory);
-    *braced = w.braced;
     return status;
 }

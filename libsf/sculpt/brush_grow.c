@@ -25,23 +25,24 @@
 // Paths
 // ---------------------------------------------------------------------------------------------
 
-static void put_along(sf_sculpt *m, size_t count, unsigned way, sf_box *fresh)
+static void put_along(sf_sculpt *m, size_t count, unsigned way)
 {
-    const sf_tip *tip = m->stroke.brush.tip;
+    const sf_tip *tip = m->brush.tip;
     sf_dab anchor = tip->anchors[way];
     for (size_t i = 0; i < count; i++) {
         sf_voxel p = m->path[i];
         int64_t by[3] = {(int64_t)p.x - anchor.x, (int64_t)p.y - anchor.y, (int64_t)p.z - anchor.z};
         sf_box part = sfi_grid_stamp(m->grown, tip->masks[way], by);
         sf_rect one = {p.x, p.y, p.x + 1, p.y + 1};
-        part = sfi_box_union(part, one, p.z);
         (void)!sf_slice_set(sf_grid_slice(m->grown, p.z), p.x, p.y, 1);
-        m->stroke.grown = sfi_box_join(m->stroke.grown, part);
-        *fresh = sfi_box_join(*fresh, part);
+        sfi_area_add_box(&m->in_grown, part);
+        sfi_area_add(&m->in_grown, one, p.z);
+        sfi_area_add_box(&m->fresh, part);
+        sfi_area_add(&m->fresh, one, p.z);
     }
 }
 
-sf_status sfi_grow_paths(sf_sculpt *m, const int64_t at[3], unsigned way, sf_box *fresh)
+sf_status sfi_grow_paths(sf_sculpt *m, const int64_t at[3], unsigned way)
 {
     const sf_lattice *l = &m->lattice;
     if (at[0] < 0 || at[0] >= l->nx || at[1] < 0 || at[1] >= l->ny ||
@@ -51,8 +52,8 @@ sf_status sfi_grow_paths(sf_sculpt *m, const int64_t at[3], unsigned way, sf_box
     sf_voxel from = {(uint32_t)at[0], (uint32_t)at[1], (uint32_t)at[2]};
     sf_path found;
     SF_TRY(sf_path_finder_find(m->finder, from, m->path, l->nz, &found));
-    put_along(m, found.count, way, fresh);
-    m->stroke.path_voxels += found.count;
+    put_along(m, found.count, way);
+    m->path_voxels += found.count;
     return SF_OK;
 }
 
@@ -61,42 +62,44 @@ sf_status sfi_grow_paths(sf_sculpt *m, const int64_t at[3], unsigned way, sf_box
 // ---------------------------------------------------------------------------------------------
 
 // One row of D and of materials: what was before, with the tips and what grows below them.
-static void redraw_row(sf_sculpt *m, sf_box box, uint32_t y, uint32_t z, sf_box *changed)
+static void redraw_row(sf_sculpt *m, sf_rect r, uint32_t y, uint32_t z)
 {
     const uint64_t *was = sfi_slice_row(sf_grid_slice(m->before.drawn, z), y);
     const uint64_t *tips = sfi_slice_row(sf_grid_slice(m->tips, z), y);
     const uint64_t *grown = sfi_slice_row(sf_grid_slice(m->grown, z), y);
     uint64_t *d = sfi_slice_row(sf_grid_slice(m->now.drawn, z), y);
     uint8_t *materials = sfi_material_row(m, &m->now, y, z);
-    for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+    for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
         uint64_t fresh = was[i] | tips[i] | grown[i], difference = fresh ^ d[i];
-        sfi_bytes_set(materials, i, difference & fresh, m->stroke.brush.material);
+        sfi_bytes_set(materials, i, difference & fresh, m->brush.material);
         sfi_bytes_set(materials, i, difference & ~fresh, 0);
-        sfi_box_note(changed, i, difference, y, z);
+        sfi_area_note(&m->work, i, difference, y, z);
         d[i] = fresh;
     }
 }
 
-static sf_status redraw(sf_sculpt *m, sf_box box, sfi_touch *touched)
+// Where this call put something, and where braces were, which have to be found anew.
+static sf_status redraw(sf_sculpt *m)
 {
-    sf_box changed = {0, 0, 0, 0, 0, 0};
-    for (uint32_t z = box.z0; z < box.z1; z++) {
-        for (uint32_t y = box.y0; y < box.y1; y++) {
-            redraw_row(m, box, y, z, &changed);
+    sfi_area_join(&m->fresh, &m->braced);
+    sfi_area_clear(&m->work);
+    for (uint32_t z = m->fresh.z0; z < m->fresh.z1; z++) {
+        sf_rect r = m->fresh.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            redraw_row(m, r, y, z);
         }
     }
-    touched->drawn = sfi_box_join(touched->drawn, changed);
-    touched->material = sfi_box_join(touched->material, changed);
-    return sfi_sculpt_trim(m, changed, touched);
+    sfi_area_join(&m->called.drawn, &m->work);
+    sfi_area_join(&m->called.material, &m->work);
+    return sfi_sculpt_trim(m, &m->work);
 }
 
-sf_status sfi_brush_grow(sf_sculpt *m, sf_box fresh, sfi_touch *touched)
+sf_status sfi_brush_grow(sf_sculpt *m)
 {
-    sf_box braced = {0, 0, 0, 0, 0, 0};
-    SF_TRY(redraw(m, sfi_box_join(fresh, m->stroke.braced), touched));
-    SF_TRY(sfi_brace(m, &braced));
-    m->stroke.braced = braced;
-    touched->drawn = sfi_box_join(touched->drawn, braced);
-    touched->material = sfi_box_join(touched->material, braced);
-    return sfi_sculpt_trim(m, braced, touched);
+    SF_TRY(redraw(m));
+    sfi_area_clear(&m->braced);
+    SF_TRY(sfi_brace(m));
+    sfi_area_join(&m->called.drawn, &m->braced);
+    sfi_area_join(&m->called.material, &m->braced);
+    return sfi_sculpt_trim(m, &m->braced);
 }

@@ -14,14 +14,14 @@
 static sf_status preserve(sf_sculpt *m)
 {
     sf_preserve_options options = sf_preserve_options_default();
-    options.brush_box = m->stroke.tips;
+    options.brush_box = sfi_area_bounds(&m->in_tips);
     options.known_support_free = 1;
     return sf_grid_preserve(m->now.printable, m->tips, &m->terms, &options, &m->scratch, NULL,
                             NULL);
 }
 
 // D and materials follow T, in one row.
-static void follow(const sf_sculpt *m, sf_box box, uint32_t y, uint32_t z, sfi_touch *touched)
+static void follow(sf_sculpt *m, sf_rect r, uint32_t y, uint32_t z)
 {
     const uint64_t *was = sfi_slice_row(sf_grid_slice(m->before.drawn, z), y);
     const uint64_t *u = sfi_slice_row(sf_grid_slice(m->tips, z), y);
@@ -29,27 +29,27 @@ static void follow(const sf_sculpt *m, sf_box box, uint32_t y, uint32_t z, sfi_t
     uint64_t *d = sfi_slice_row(sf_grid_slice(m->now.drawn, z), y);
     uint8_t *materials = sfi_material_row(m, &m->now, y, z);
     const uint8_t *were = sfi_material_row(m, &m->before, y, z);
-    for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+    for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
         uint64_t fresh = was[i] & (~u[i] | t[i]), changed = fresh ^ d[i];
         d[i] = fresh;
         sfi_bytes_set(materials, i, changed & ~fresh, 0);
         sfi_bytes_copy(materials, were, i, changed & fresh);
-        sfi_box_note(&touched->drawn, i, changed, y, z);
-        sfi_box_note(&touched->material, i, changed, y, z);
+        sfi_area_note(&m->called.drawn, i, changed, y, z);
+        sfi_area_note(&m->called.material, i, changed, y, z);
     }
 }
 
-sf_status sfi_brush_preserve(sf_sculpt *m, sfi_touch *touched)
+sf_status sfi_brush_preserve(sf_sculpt *m)
 {
-    sf_box box = m->stroke.tips;
-    sfi_touch restored = {{0, 0, 0, 0, 0, 0}, box, {0, 0, 0, 0, 0, 0}};
+    sfi_touch restored = {{0, 0, NULL}, m->in_tips, {0, 0, NULL}};
     sfi_sculpt_copy(m, &m->now, &m->before, &restored);
     SF_TRY(preserve(m));
-    for (uint32_t z = box.z0; z < box.z1; z++) {
-        for (uint32_t y = box.y0; y < box.y1; y++) {
-            follow(m, box, y, z, touched);
+    for (uint32_t z = m->in_tips.z0; z < m->in_tips.z1; z++) {
+        sf_rect r = m->in_tips.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            follow(m, r, y, z);
         }
     }
-    touched->printable = sfi_box_join(touched->printable, touched->drawn);
+    sfi_area_join(&m->called.printable, &m->called.drawn);
     return SF_OK;
 }

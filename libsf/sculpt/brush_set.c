@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Brushes that set voxels or bytes where their tips are: add-trim, remove-trim, paint.
 //
-// What they do to D in a voxel depends on nothing around it, so each call looks only at the box
-// around its own dabs, whatever came before; tips that lie there already change nothing again. T
-// follows by the incremental trim.
+// What they do to D in a voxel depends on nothing around it, so each call looks only at the
+// rectangles around its own dabs, whatever came before; tips that lie there already change nothing
+// again. T follows by the incremental trim.
 
 #include "base/status.h"
 #include "sculpt/model.h"
@@ -18,36 +18,38 @@ static uint64_t set_word(uint64_t *drawn, uint64_t tips, int is_added)
     return changed;
 }
 
-static sf_status set(sf_sculpt *m, sf_box fresh, int is_added, sfi_touch *touched)
+static sf_status set(sf_sculpt *m, int is_added)
 {
-    uint8_t material = is_added ? m->stroke.brush.material : 0;
-    sf_box changed = {0, 0, 0, 0, 0, 0};
-    for (uint32_t z = fresh.z0; z < fresh.z1; z++) {
+    uint8_t material = is_added ? m->brush.material : 0;
+    sfi_area *changed = &m->work;
+    sfi_area_clear(changed);
+    for (uint32_t z = m->fresh.z0; z < m->fresh.z1; z++) {
         sf_slice drawn = sf_grid_slice(m->now.drawn, z), tips = sf_grid_slice(m->tips, z);
-        for (uint32_t y = fresh.y0; y < fresh.y1; y++) {
+        sf_rect r = m->fresh.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             uint64_t *d = sfi_slice_row(drawn, y);
             const uint64_t *u = sfi_slice_row(tips, y);
             uint8_t *materials = sfi_material_row(m, &m->now, y, z);
-            for (size_t i = sfi_box_first_word(fresh); i < sfi_box_end_word(fresh); i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 uint64_t bits = set_word(&d[i], u[i], is_added);
                 sfi_bytes_set(materials, i, bits, material);
-                sfi_box_note(&changed, i, bits, y, z);
+                sfi_area_note(changed, i, bits, y, z);
             }
         }
     }
-    touched->drawn = sfi_box_join(touched->drawn, changed);
-    touched->material = sfi_box_join(touched->material, changed);
-    return sfi_sculpt_trim(m, changed, touched);
+    sfi_area_join(&m->called.drawn, changed);
+    sfi_area_join(&m->called.material, changed);
+    return sfi_sculpt_trim(m, changed);
 }
 
-sf_status sfi_brush_add(sf_sculpt *m, sf_box fresh, sfi_touch *touched)
+sf_status sfi_brush_add(sf_sculpt *m)
 {
-    return set(m, fresh, 1, touched);
+    return set(m, 1);
 }
 
-sf_status sfi_brush_remove(sf_sculpt *m, sf_box fresh, sfi_touch *touched)
+sf_status sfi_brush_remove(sf_sculpt *m)
 {
-    return set(m, fresh, 0, touched);
+    return set(m, 0);
 }
 
 // The bits of word i whose byte is not `value`.
@@ -61,18 +63,19 @@ static uint64_t bits_to_paint(const uint8_t *row, size_t i, uint64_t bits, uint8
     return other;
 }
 
-sf_status sfi_brush_paint(sf_sculpt *m, sf_box fresh, sfi_touch *touched)
+sf_status sfi_brush_paint(sf_sculpt *m)
 {
-    uint8_t material = m->stroke.brush.material;
-    for (uint32_t z = fresh.z0; z < fresh.z1; z++) {
+    uint8_t material = m->brush.material;
+    for (uint32_t z = m->fresh.z0; z < m->fresh.z1; z++) {
         sf_slice drawn = sf_grid_slice(m->now.drawn, z), tips = sf_grid_slice(m->tips, z);
-        for (uint32_t y = fresh.y0; y < fresh.y1; y++) {
+        sf_rect r = m->fresh.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint64_t *d = sfi_slice_row(drawn, y), *u = sfi_slice_row(tips, y);
             uint8_t *materials = sfi_material_row(m, &m->now, y, z);
-            for (size_t i = sfi_box_first_word(fresh); i < sfi_box_end_word(fresh); i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 uint64_t bits = bits_to_paint(materials, i, d[i] & u[i], material);
                 sfi_bytes_set(materials, i, bits, material);
-                sfi_box_note(&touched->material, i, bits, y, z);
+                sfi_area_note(&m->called.material, i, bits, y, z);
             }
         }
     }

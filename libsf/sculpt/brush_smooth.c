@@ -118,13 +118,13 @@ static uint8_t vote(const sf_sculpt *m, const around *a, uint32_t x, uint32_t y)
 // Passes
 // ---------------------------------------------------------------------------------------------
 
-static void smooth_row(sf_sculpt *m, const around *a, sf_box box, uint32_t y)
+static void smooth_row(sf_sculpt *m, const around *a, sf_rect r, uint32_t y)
 {
     const uint64_t *u = sfi_slice_row(sf_grid_slice(m->tips, a->z), y);
     const uint64_t *was = sfi_slice_row(a->layers[1], y);
     uint64_t *d = sfi_slice_row(sf_grid_slice(m->now.drawn, a->z), y);
     uint8_t *materials = sfi_material_row(m, &m->now, y, a->z);
-    for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+    for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
         if (u[i] == 0) {
             continue;
         }
@@ -153,38 +153,40 @@ static void pass(sf_sculpt *m, sf_slice keep[2], sf_box box)
     sf_slice low = box.z0 > 0 ? sf_grid_slice(m->now.drawn, box.z0 - 1) : no_slice;
     for (uint32_t z = box.z0; z < box.z1; z++) {
         sf_slice here = sf_grid_slice(m->now.drawn, z), copy = keep[z % 2];
+        sf_rect r = m->in_tips.rects[z];
         copy_rows(copy, here, box);
         around a = {{low, copy, sf_grid_slice(m->now.drawn, z + 1)}, z};
-        for (uint32_t y = box.y0; y < box.y1; y++) {
-            smooth_row(m, &a, box, y);
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            smooth_row(m, &a, r, y);
         }
         low = copy;
     }
 }
 
 // Materials of what is empty go; what is solid as it was before the stroke has its own again.
-static void settle(sf_sculpt *m, sf_box box)
+static void settle(sf_sculpt *m)
 {
-    for (uint32_t z = box.z0; z < box.z1; z++) {
+    for (uint32_t z = m->in_tips.z0; z < m->in_tips.z1; z++) {
         sf_slice drawn = sf_grid_slice(m->now.drawn, z);
         sf_slice before = sf_grid_slice(m->before.drawn, z), tips = sf_grid_slice(m->tips, z);
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+        sf_rect r = m->in_tips.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint64_t *d = sfi_slice_row(drawn, y), *b = sfi_slice_row(before, y);
             const uint64_t *u = sfi_slice_row(tips, y);
             uint8_t *materials = sfi_material_row(m, &m->now, y, z);
             const uint8_t *were = sfi_material_row(m, &m->before, y, z);
-            for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 sfi_bytes_set(materials, i, u[i] & ~d[i], 0);
-                sfi_bytes_copy(materials, were, i, d[i] & b[i]);
+                sfi_bytes_copy(materials, were, i, u[i] & d[i] & b[i]);
             }
         }
     }
 }
 
-sf_status sfi_brush_smooth(sf_sculpt *m, sfi_touch *touched)
+sf_status sfi_brush_smooth(sf_sculpt *m)
 {
-    sf_box box = m->stroke.tips, none = {0, 0, 0, 0, 0, 0};
-    sfi_touch restored = {box, none, box};
+    sf_box box = sfi_area_bounds(&m->in_tips);
+    sfi_touch restored = {m->in_tips, {0, 0, NULL}, m->in_tips};
     sf_slice keep[2] = {sf_grid_slice(m->now.drawn, 0), sf_grid_slice(m->now.drawn, 0)};
     size_t bytes = keep[0].stride * keep[0].height * sizeof(uint64_t);
     uint64_t *words = sfi_alloc_array(&m->scratch, 2, bytes);
@@ -194,12 +196,12 @@ sf_status sfi_brush_smooth(sf_sculpt *m, sfi_touch *touched)
     keep[0].words = words;
     keep[1].words = words + bytes / sizeof *words;
     sfi_sculpt_copy(m, &m->now, &m->before, &restored);
-    for (uint32_t i = 0; i < m->stroke.brush.passes; i++) {
+    for (uint32_t i = 0; i < m->brush.passes; i++) {
         pass(m, keep, box);
     }
-    settle(m, box);
+    settle(m);
     sfi_free_array(&m->scratch, words, 2, bytes);
-    touched->drawn = sfi_box_join(touched->drawn, box);
-    touched->material = sfi_box_join(touched->material, box);
-    return sfi_sculpt_trim(m, box, touched);
+    sfi_area_join(&m->called.drawn, &m->in_tips);
+    sfi_area_join(&m->called.material, &m->in_tips);
+    return sfi_sculpt_trim(m, &m->in_tips);
 }

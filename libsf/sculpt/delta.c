@@ -52,15 +52,17 @@ static void put_run(run_writer *w, uint64_t at, uint32_t length)
 }
 
 // Runs of bits may meet at a word's border; there they are two.
-static void put_bits(sfi_step_writer *step, const sf_grid *a, const sf_grid *b, sf_box box)
+static void put_bits(sfi_step_writer *step, const sf_grid *a, const sf_grid *b,
+                     const sfi_area *area, sf_box box)
 {
     run_writer w = {step, box, 0};
     put_box(step, box);
     for (uint32_t z = box.z0; z < box.z1; z++) {
         sf_slice sa = sf_grid_slice(a, z), sb = sf_grid_slice(b, z);
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+        sf_rect r = area->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint64_t *ra = sfi_slice_row(sa, y), *rb = sfi_slice_row(sb, y);
-            for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 for (uint64_t bits = ra[i] ^ rb[i]; bits != 0;) {
                     uint32_t start, length = sfi_take_run(&bits, &start);
                     put_run(&w, place_in(box, (uint32_t)i * 64 + start, y, z), length);
@@ -85,11 +87,12 @@ static void put_materials(const sf_sculpt *m, sfi_step_writer *step, sf_box box)
     run_writer w = {step, box, 0};
     put_box(step, box);
     for (uint32_t z = box.z0; z < box.z1; z++) {
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+        sf_rect r = m->touched.material.rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint8_t *a = sfi_material_row(m, &m->now, y, z);
             const uint8_t *b = sfi_material_row(m, &m->before, y, z);
-            for (uint32_t x = box.x0; x < box.x1;) {
-                uint32_t length = run_of_bytes(a, b, x, box.x1);
+            for (uint32_t x = r.x0; x < r.x1;) {
+                uint32_t length = run_of_bytes(a, b, x, r.x1);
                 if (a[x] != b[x]) {
                     put_run(&w, place_in(box, x, y, z), length);
                     sfi_step_put(step, (uint64_t)(a[x] ^ b[x]));
@@ -101,15 +104,16 @@ static void put_materials(const sf_sculpt *m, sfi_step_writer *step, sf_box box)
     sfi_step_put(step, 0);
 }
 
-// The box around the bits that differ, within a box.
-static sf_box tighten_bits(const sf_grid *a, const sf_grid *b, sf_box box)
+// The box around the bits that differ, in an area.
+static sf_box tighten_bits(const sf_grid *a, const sf_grid *b, const sfi_area *area)
 {
     sf_box tight = {0, 0, 0, 0, 0, 0};
-    for (uint32_t z = box.z0; z < box.z1; z++) {
+    for (uint32_t z = area->z0; z < area->z1; z++) {
         sf_slice sa = sf_grid_slice(a, z), sb = sf_grid_slice(b, z);
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+        sf_rect r = area->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint64_t *ra = sfi_slice_row(sa, y), *rb = sfi_slice_row(sb, y);
-            for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
                 sfi_box_note(&tight, i, ra[i] ^ rb[i], y, z);
             }
         }
@@ -117,14 +121,15 @@ static sf_box tighten_bits(const sf_grid *a, const sf_grid *b, sf_box box)
     return tight;
 }
 
-static sf_box tighten_materials(const sf_sculpt *m, sf_box box)
+static sf_box tighten_materials(const sf_sculpt *m, const sfi_area *area)
 {
     sf_box tight = {0, 0, 0, 0, 0, 0};
-    for (uint32_t z = box.z0; z < box.z1; z++) {
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+    for (uint32_t z = area->z0; z < area->z1; z++) {
+        sf_rect r = area->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint8_t *a = sfi_material_row(m, &m->now, y, z);
             const uint8_t *b = sfi_material_row(m, &m->before, y, z);
-            uint32_t x0 = box.x0, x1 = box.x1;
+            uint32_t x0 = r.x0, x1 = r.x1;
             while (x0 < x1 && a[x0] == b[x0]) {
                 x0++;
             }
@@ -140,19 +145,19 @@ static sf_box tighten_materials(const sf_sculpt *m, sf_box box)
 
 int sfi_delta_write(sf_sculpt *m)
 {
-    const sfi_touch *t = &m->stroke.touched;
-    sf_box printable = tighten_bits(m->now.printable, m->before.printable, t->printable);
+    const sfi_touch *t = &m->touched;
+    sf_box printable = tighten_bits(m->now.printable, m->before.printable, &t->printable);
     sf_box drawn =
-        m->options.keep_drawn ? tighten_bits(m->now.drawn, m->before.drawn, t->drawn) : printable;
-    sf_box material = tighten_materials(m, t->material);
+        m->options.keep_drawn ? tighten_bits(m->now.drawn, m->before.drawn, &t->drawn) : printable;
+    sf_box material = tighten_materials(m, &t->material);
     if (sfi_box_is_empty(printable) && sfi_box_is_empty(drawn) && sfi_box_is_empty(material)) {
         return 0;
     }
     sfi_step_writer step = sfi_history_begin(&m->history);
     sfi_step_put(&step, m->options.keep_drawn ? 0 : DRAWN_IS_PRINTABLE);
-    put_bits(&step, m->now.printable, m->before.printable, printable);
+    put_bits(&step, m->now.printable, m->before.printable, &t->printable, printable);
     if (m->options.keep_drawn) {
-        put_bits(&step, m->now.drawn, m->before.drawn, drawn);
+        put_bits(&step, m->now.drawn, m->before.drawn, &t->drawn, drawn);
     }
     put_materials(m, &step, material);
     sfi_history_end(&step);
@@ -197,6 +202,12 @@ static int next_run(run_reader *r)
     return 1;
 }
 
+static void note_run(sfi_area *touched, const run_reader *r)
+{
+    sf_rect rect = {r->x, r->y, r->x + r->length, r->y + 1};
+    sfi_area_add(touched, rect, r->z);
+}
+
 static uint64_t count_bits(uint64_t w)
 {
     w -= w >> 1 & UINT64_C(0x5555555555555555);
@@ -206,11 +217,12 @@ static uint64_t count_bits(uint64_t w)
 }
 
 // Turn the bits of one part; a run lies within one word. Counts what becomes solid and empty.
-static sf_box apply_bits(sfi_step_reader *step, sf_grid *a, sf_grid *b, uint64_t *added,
-                         uint64_t *removed)
+static sf_box apply_bits(sfi_step_reader *step, sf_grid *a, sf_grid *b, sfi_area *touched,
+                         uint64_t *added, uint64_t *removed)
 {
     run_reader r = {step, get_box(step), 0, 0, 0, 0, 0};
     while (next_run(&r)) {
+        note_run(touched, &r);
         uint64_t ones = ~UINT64_C(0) >> (64 - r.length) << r.x % 64;
         uint64_t *word = sfi_slice_row(sf_grid_slice(a, r.z), r.y) + r.x / 64;
         *removed += count_bits(*word & ones);
@@ -228,6 +240,7 @@ static sf_box apply_materials(sf_sculpt *m, sfi_step_reader *step)
     run_reader r = {step, get_box(step), 0, 0, 0, 0, 0};
     while (next_run(&r)) {
         uint8_t value = (uint8_t)sfi_step_get(step);
+        note_run(&m->touched.material, &r);
         uint8_t *row = sfi_material_row(m, &m->now, r.y, r.z) + r.x;
         for (uint32_t i = 0; i < r.length; i++) {
             row[i] ^= value;
@@ -242,9 +255,13 @@ void sfi_delta_apply(sf_sculpt *m, sfi_step_reader *reader, sf_sculpt_change *ch
     uint64_t ignored[2] = {0, 0};
     int is_one = sfi_step_get(reader) == DRAWN_IS_PRINTABLE;
     made.printable = apply_bits(reader, m->now.printable, is_one ? m->now.drawn : NULL,
-                                &made.added_voxels, &made.removed_voxels);
-    made.drawn =
-        is_one ? made.printable : apply_bits(reader, m->now.drawn, NULL, &ignored[0], &ignored[1]);
+                                &m->touched.printable, &made.added_voxels, &made.removed_voxels);
+    made.drawn = is_one ? made.printable
+                        : apply_bits(reader, m->now.drawn, NULL, &m->touched.drawn, &ignored[0],
+                                     &ignored[1]);
+    if (is_one) {
+        sfi_area_join(&m->touched.drawn, &m->touched.printable);
+    }
     made.material = apply_materials(m, reader);
     *change = made;
 }

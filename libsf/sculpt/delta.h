@@ -10,7 +10,7 @@
 // none.
 int sfi_delta_write(sf_sculpt *m);
 
-// Change `now` by a step, which undoes or redoes it, and say what changed.
+// Change `now` by a step, which undoes or redoes it, and say what changed; `touched` says where.
 void sfi_delta_apply(sf_sculpt *m, sfi_step_reader *reader, sf_sculpt_change *change);
 
 #endif

@@ -4,12 +4,8 @@
 #ifndef SF_SCULPT_HISTORY_H
 #define SF_SCULPT_HISTORY_H
 
-#include <sf/voxel.h>
-
-// Boxes around what changed of the three parts of a model.
-typedef struct sfi_touch {
-    sf_box drawn, printable, material;
-} sfi_touch;
+#include <stddef.h>
+#include <stdint.h>
 
 // Steps lie one after the other in a ring: what can be undone from `first` to `here`, what can be
 // done again from there to `end`. The three only grow; a place in the ring is one of them modulo

@@ -15,7 +15,8 @@
 #include "support/rule/carry.h"
 #include "support/rule/rule.h"
 #include "support/rule/terms.h"
-#include "voxel/rect.h"
+
+#define AREA_COUNT 11
 
 sf_sculpt_options sf_sculpt_options_default(void)
 {
@@ -64,6 +65,7 @@ static size_t size_of(const sf_sculpt_options *options)
     add(&t, 1, l->nz, sizeof(sf_voxel), 1);
     add(&t, 7, l->nz, sizeof(double), 1); // heights of grids
     add(&t, 1, options->history_size, 1, 1);
+    add(&t, AREA_COUNT, l->nz, sizeof(sf_rect), 1);
     // Operators: what preserve keeps and the slices it sweeps; distances on the bed.
     add(&t, 1, row, l->ny, l->nz);
     add(&t, 24, row, l->ny, 1);
@@ -121,6 +123,30 @@ static sf_status create_finder(sf_sculpt *m)
     return sf_path_finder_find(m->finder, top, m->path, m->lattice.nz, &found);
 }
 
+// A rectangle for each layer of every area.
+static sf_status create_areas(sf_sculpt *m)
+{
+    sfi_area *areas[AREA_COUNT] = {&m->in_tips,
+                                   &m->in_grown,
+                                   &m->braced,
+                                   &m->fresh,
+                                   &m->work,
+                                   &m->touched.drawn,
+                                   &m->touched.printable,
+                                   &m->touched.material,
+                                   &m->called.drawn,
+                                   &m->called.printable,
+                                   &m->called.material};
+    for (int i = 0; i < AREA_COUNT; i++) {
+        sfi_area_clear(areas[i]);
+        areas[i]->rects = sfi_alloc_array(&m->scratch, m->lattice.nz, sizeof(sf_rect));
+        if (areas[i]->rects == NULL) {
+            return SF_ERR_MEMORY;
+        }
+    }
+    return SF_OK;
+}
+
 // All that a model has. It lies in the arena, so nothing of it need be freed alone.
 static sf_status fill(sf_sculpt *m)
 {
@@ -141,6 +167,7 @@ static sf_status fill(sf_sculpt *m)
     m->terms = sf_terms_default();
     m->terms.rule = m->options.rule;
     m->terms.bed_layer = m->options.bed_layer;
+    SF_TRY(create_areas(m));
     return create_finder(m);
 }
 

@@ -8,19 +8,7 @@
 
 #include <string.h>
 
-#include "base/bits.h"
-#include "voxel/rect.h"
-
-// Words that hold the columns of a box: first <= i < end.
-static inline size_t sfi_box_first_word(sf_box box)
-{
-    return box.x0 / 64;
-}
-
-static inline size_t sfi_box_end_word(sf_box box)
-{
-    return ((size_t)box.x1 + 63) / 64;
-}
+#include "voxel/area.h"
 
 // The lowest and past the last bit of a run of ones in `bits`, which is not 0, from below.
 static inline uint32_t sfi_take_run(uint64_t *bits, uint32_t *start)

@@ -6,22 +6,38 @@
 #include "base/status.h"
 #include "sculpt/model.h"
 #include "sculpt/rows.h"
+#include "support/trim/trim_area.h"
 #include "voxel/slice.h"
+
+void sfi_touch_clear(sfi_touch *touch)
+{
+    sfi_area_clear(&touch->drawn);
+    sfi_area_clear(&touch->printable);
+    sfi_area_clear(&touch->material);
+}
 
 void sfi_touch_join(sfi_touch *to, const sfi_touch *from)
 {
-    to->drawn = sfi_box_join(to->drawn, from->drawn);
-    to->printable = sfi_box_join(to->printable, from->printable);
-    to->material = sfi_box_join(to->material, from->material);
+    sfi_area_join(&to->drawn, &from->drawn);
+    sfi_area_join(&to->printable, &from->printable);
+    sfi_area_join(&to->material, &from->material);
 }
 
-// Whole words: outside the box both states are the same.
-static void copy_bits(sf_grid *to, const sf_grid *from, sf_box box)
+void sfi_sculpt_boxes(const sfi_touch *touched, sf_sculpt_change *change)
 {
-    size_t first = sfi_box_first_word(box), end = sfi_box_end_word(box);
-    for (uint32_t z = box.z0; z < box.z1; z++) {
+    change->drawn = sfi_area_bounds(&touched->drawn);
+    change->printable = sfi_area_bounds(&touched->printable);
+    change->material = sfi_area_bounds(&touched->material);
+}
+
+// Whole words: outside the area both states are the same.
+static void copy_bits(sf_grid *to, const sf_grid *from, const sfi_area *area)
+{
+    for (uint32_t z = area->z0; z < area->z1; z++) {
         sf_slice out = sf_grid_slice(to, z), in = sf_grid_slice(from, z);
-        for (uint32_t y = box.y0; y < box.y1; y++) {
+        sf_rect r = area->rects[z];
+        size_t first = sfi_rect_first_word(r), end = sfi_rect_end_word(r);
+        for (uint32_t y = r.y0; y < r.y1; y++) {
             memcpy(sfi_slice_row(out, y) + first, sfi_slice_row(in, y) + first,
                    (end - first) * sizeof(uint64_t));
         }
@@ -31,24 +47,22 @@ static void copy_bits(sf_grid *to, const sf_grid *from, sf_box box)
 void sfi_sculpt_copy(const sf_sculpt *m, const sfi_state *to, const sfi_state *from,
                      const sfi_touch *touched)
 {
-    sf_box box = touched->material;
-    copy_bits(to->drawn, from->drawn, touched->drawn);
-    copy_bits(to->printable, from->printable, touched->printable);
-    for (uint32_t z = box.z0; z < box.z1; z++) {
-        for (uint32_t y = box.y0; y < box.y1; y++) {
-            memcpy(sfi_material_row(m, to, y, z) + box.x0, sfi_material_row(m, from, y, z) + box.x0,
-                   box.x1 - box.x0);
+    const sfi_area *area = &touched->material;
+    copy_bits(to->drawn, from->drawn, &touched->drawn);
+    copy_bits(to->printable, from->printable, &touched->printable);
+    for (uint32_t z = area->z0; z < area->z1; z++) {
+        sf_rect r = area->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            memcpy(sfi_material_row(m, to, y, z) + r.x0, sfi_material_row(m, from, y, z) + r.x0,
+                   r.x1 - r.x0);
         }
     }
 }
 
-sf_status sfi_sculpt_trim(sf_sculpt *m, sf_box box, sfi_touch *touched)
+sf_status sfi_sculpt_trim(sf_sculpt *m, const sfi_area *changed)
 {
-    sf_box changed;
-    SF_TRY(sf_grid_trim_box(m->now.drawn, m->now.printable, &m->terms.rule, m->terms.bed_layer, box,
-                            &changed));
-    touched->printable = sfi_box_join(touched->printable, changed);
-    return SF_OK;
+    return sfi_trim_area(m->now.drawn, m->now.printable, &m->terms.rule, m->terms.bed_layer,
+                         changed, &m->called.printable);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -69,26 +83,35 @@ static uint64_t kept_back(sf_brush_kind kind, uint64_t tips, uint64_t now)
     }
 }
 
-void sfi_sculpt_count(const sf_sculpt *m, sf_sculpt_change *change)
+// The counts of one word of before and now and of the tips.
+static void count_word(sf_brush_kind kind, uint64_t before, uint64_t now, uint64_t tips,
+                       sf_sculpt_change *change)
 {
     const sfi_kernels *kernels = sfi_kernels_get();
-    sf_box box = sfi_box_join(m->stroke.touched.printable, m->stroke.tips);
-    for (uint32_t z = box.z0; z < box.z1; z++) {
+    const uint64_t words[4] = {now & ~before, before & ~now & tips, before & ~now & ~tips,
+                               kept_back(kind, tips, now)};
+    uint64_t *sums[4] = {&change->added_voxels, &change->removed_voxels, &change->lost_voxels,
+                         &change->kept_back_voxels};
+    for (int s = 0; s < 4; s++) {
+        *sums[s] += words[s] != 0 ? kernels->popcount(&words[s], 1) : 0;
+    }
+}
+
+void sfi_sculpt_count(const sf_sculpt *m, sf_sculpt_change *change)
+{
+    const sfi_area *a = &m->touched.printable, *b = &m->in_tips;
+    uint32_t z0 = sfi_area_is_empty(a) ? b->z0 : a->z0, z1 = a->z1 > b->z1 ? a->z1 : b->z1;
+    z0 = !sfi_area_is_empty(b) && b->z0 < z0 ? b->z0 : z0;
+    for (uint32_t z = z0; z < z1; z++) {
         sf_slice now = sf_grid_slice(m->now.printable, z), tips = sf_grid_slice(m->tips, z);
         sf_slice before = sf_grid_slice(m->before.printable, z);
-        for (uint32_t y = box.y0; y < box.y1; y++) {
-            const uint64_t *a = sfi_slice_row(now, y), *b = sfi_slice_row(before, y);
-            const uint64_t *u = sfi_slice_row(tips, y);
-            for (size_t i = sfi_box_first_word(box); i < sfi_box_end_word(box); i++) {
-                const uint64_t words[4] = {a[i] & ~b[i], b[i] & ~a[i] & u[i], b[i] & ~a[i] & ~u[i],
-                                           kept_back(m->stroke.brush.kind, u[i], a[i])};
-                uint64_t *sums[4] = {&change->added_voxels, &change->removed_voxels,
-                                     &change->lost_voxels, &change->kept_back_voxels};
-                for (int s = 0; s < 4; s++) {
-                    *sums[s] += words[s] != 0 ? kernels->popcount(&words[s], 1) : 0;
-                }
+        sf_rect r = sfi_rect_union(sfi_area_rect(a, z), sfi_area_rect(b, z));
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
+                count_word(m->brush.kind, sfi_slice_row(before, y)[i], sfi_slice_row(now, y)[i],
+                           sfi_slice_row(tips, y)[i], change);
             }
         }
     }
-    change->path_voxels = m->stroke.path_voxels;
+    change->path_voxels = m->path_voxels;
 }

@@ -13,7 +13,7 @@
 
 static int is_idle(const sf_sculpt *m)
 {
-    return m != NULL && !m->stroke.is_under_way;
+    return m != NULL && !m->is_under_way;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -45,7 +45,6 @@ sf_status sf_sculpt_replace(sf_sculpt *model, const sf_grid *drawn, const uint8_
         return SF_ERR_ARGUMENT;
     }
     sf_box all = {0, 0, 0, model->lattice.nx, model->lattice.ny, model->lattice.nz};
-    sfi_touch touched = {all, all, all};
     if (drawn != NULL) {
         SF_TRY(sfi_terms_match(&model->lattice, drawn));
         SF_TRY(sfi_trim_into(model->now.printable, drawn, &model->terms, model->terms.bed_layer,
@@ -58,7 +57,9 @@ sf_status sf_sculpt_replace(sf_sculpt *model, const sf_grid *drawn, const uint8_
         }
     }
     put_materials(model, materials);
-    model->stroke.touched = touched;
+    sfi_area_add_box(&model->touched.drawn, all);
+    sfi_area_add_box(&model->touched.printable, all);
+    sfi_area_add_box(&model->touched.material, all);
     sfi_sculpt_commit(model, model->options.keep_drawn, change);
     if (change != NULL) {
         change->drawn = change->printable = change->material = all;
@@ -73,7 +74,7 @@ sf_status sf_sculpt_drop_ghosts(sf_sculpt *model, sf_sculpt_change *change)
     if (!is_idle(model)) {
         return SF_ERR_ARGUMENT;
     }
-    model->stroke.touched.drawn = sf_grid_bounds(model->now.drawn);
+    sfi_area_add_box(&model->touched.drawn, sf_grid_bounds(model->now.drawn));
     sfi_sculpt_commit(model, 0, change);
     return SF_OK;
 }
@@ -86,8 +87,8 @@ static void step(sf_sculpt *m, sfi_step_reader reader, sf_sculpt_change *change)
 {
     sf_sculpt_change made;
     sfi_delta_apply(m, &reader, &made);
-    sfi_touch touched = {made.drawn, made.printable, made.material};
-    sfi_sculpt_copy(m, &m->before, &m->now, &touched);
+    sfi_sculpt_copy(m, &m->before, &m->now, &m->touched);
+    sfi_touch_clear(&m->touched);
     if (change != NULL) {
         *change = made;
     }

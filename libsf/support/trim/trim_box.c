@@ -20,17 +20,25 @@
 //
 // Windows are aligned to words, computed with their margin into scratch, and written back bit by
 // bit of the rectangle only.
+//
+// What was edited is a box, or an area: a rectangle for each layer, with gaps or none. What runs
+// across a grid has a box that holds mostly what lies beside it.
 
 #include "base/memory.h"
 #include "base/status.h"
 #include "support/rule/carry.h"
 #include "support/rule/terms.h"
+#include "support/trim/trim_area.h"
 #include "voxel/grid.h"
 #include "voxel/rect.h"
 #include "voxel/slice.h"
 
-// One call of sf_grid_trim_box().
+// One call.
 typedef struct walk {
+    sf_box box;             // around what was edited, or, where it is not NULL,
+    const sfi_area *edited; // its rectangles
+    sf_box *around;         // what changed: its box, or, where it is not NULL,
+    sfi_area *changed;      // its rectangles
     const sf_grid *drawn;
     sf_grid *printable;
     const sf_rule *rule;
@@ -99,24 +107,49 @@ static sf_rect commit(const walk *w, uint32_t k, sf_rect r)
     return changed;
 }
 
-static sf_status walk_up(const walk *w, sf_box box, sf_box *changed)
+// The rectangle of layer k that was edited.
+static sf_rect edited_in(const walk *w, uint32_t k)
 {
-    sf_rect flat = {box.x0, box.y0, box.x1, box.y1}, none = {0, 0, 0, 0}, dirty = none;
+    sf_rect flat = {w->box.x0, w->box.y0, w->box.x1, w->box.y1}, none = {0, 0, 0, 0};
+    if (w->edited != NULL) {
+        return sfi_area_rect(w->edited, k);
+    }
+    return k >= w->box.z0 && k < w->box.z1 ? flat : none;
+}
+
+static void note(const walk *w, sf_rect changed, uint32_t k)
+{
+    if (w->changed != NULL) {
+        sfi_area_add(w->changed, changed, k);
+    } else {
+        *w->around = sfi_box_union(*w->around, changed, k);
+    }
+}
+
+static sf_status walk_up(const walk *w)
+{
+    sf_rect dirty = {0, 0, 0, 0};
     uint32_t nz = sf_grid_lattice(w->printable).nz;
+    uint32_t z0 = w->edited != NULL ? w->edited->z0 : w->box.z0;
+    uint32_t z1 = w->edited != NULL ? w->edited->z1 : w->box.z1;
     const sf_element still = {0, {0}};
-    for (uint32_t k = box.z0; k < nz; k++) {
+    for (uint32_t k = z0; k < nz; k++) {
         sf_element element = still;
         if (k > 0) {
             SF_TRY(sf_rule_element(w->rule, k - 1, &element));
         }
-        sf_rect edited = grow(k < box.z1 ? flat : none, &still, w->margin, w->scratch);
+        sf_rect edited = grow(edited_in(w, k), &still, w->margin, w->scratch);
         sf_rect r = sfi_rect_union(grow(dirty, &element, w->margin, w->scratch), edited);
         if (sfi_rect_is_empty(r)) {
-            break;
+            dirty = r;
+            if (k >= z1) {
+                break;
+            }
+            continue;
         }
         SF_TRY(compute(w, k, r, &element));
         dirty = commit(w, k, r);
-        *changed = sfi_box_union(*changed, dirty, k);
+        note(w, dirty, k);
         if (w->drawn == w->printable) {
             dirty = sfi_rect_union(dirty, edited);
         }
@@ -128,7 +161,7 @@ static sf_status walk_up(const walk *w, sf_box box, sf_box *changed)
 // Slack: everything anew
 // ---------------------------------------------------------------------------------------------
 
-static sf_status recompute(const walk *w, const sf_allocator *allocator, sf_box *changed)
+static sf_status recompute(const walk *w, const sf_allocator *allocator)
 {
     sf_lattice lattice = sf_grid_lattice(w->printable);
     sf_terms terms = sf_terms_default();
@@ -140,7 +173,7 @@ static sf_status recompute(const walk *w, const sf_allocator *allocator, sf_box 
     for (uint32_t k = 0; status == SF_OK && k < lattice.nz; k++) {
         walk one = *w;
         one.scratch = sf_grid_slice(fresh, k);
-        *changed = sfi_box_union(*changed, commit(&one, k, all), k);
+        note(w, commit(&one, k, all), k);
     }
     sf_grid_destroy(fresh);
     return status;
@@ -159,20 +192,20 @@ static sf_status check_box(const sf_grid *printable, sf_box box)
 
 // Where the bed is chosen by the shape and the change moved it, the box is everything. The trim
 // keeps the whole bed slice, so it still shows where the bed was.
-static sf_box widen_to_bed(const walk *w, uint32_t bed_layer, sf_box box)
+static sf_box widen_to_bed(const walk *w, uint32_t bed_layer)
 {
     sf_lattice lattice = sf_grid_lattice(w->printable);
     sf_box all = {0, 0, 0, lattice.nx, lattice.ny, lattice.nz};
     int moved = bed_layer == SF_BED_AUTO && w->bed != sfi_first_matter(w->printable);
-    return moved ? all : box;
+    return moved ? all : w->box;
 }
 
 // With scratch from one piece of memory.
-static sf_status run(walk *w, uint32_t bed_layer, sf_box box, sf_box *changed)
+static sf_status run(walk *w)
 {
     sf_allocator allocator = sfi_grid_allocator(w->printable);
     if (w->rule->kind == SF_RULE_SLACK) {
-        return recompute(w, &allocator, changed);
+        return recompute(w, &allocator);
     }
     sf_slice shape = sf_grid_slice(w->printable, 0);
     size_t one = shape.stride * shape.height; // as in the grid, so it does not overflow
@@ -186,7 +219,7 @@ static sf_status run(walk *w, uint32_t bed_layer, sf_box box, sf_box *changed)
         shape.words = words + i * one;
         *places[i] = shape;
     }
-    sf_status status = walk_up(w, widen_to_bed(w, bed_layer, box), changed);
+    sf_status status = walk_up(w);
     sfi_free_array(&allocator, words, slices, one * sizeof *words);
     return status;
 }
@@ -206,15 +239,31 @@ sf_status sf_grid_trim_box(const sf_grid *drawn, sf_grid *printable, const sf_ru
     SF_TRY(check_box(printable, box));
     sf_box around = {0, 0, 0, 0, 0, 0};
     if (!sfi_box_is_empty(box)) {
-        walk w = {.drawn = drawn,
+        walk w = {.box = box,
+                  .around = &around,
+                  .drawn = drawn,
                   .printable = printable,
                   .rule = rule,
                   .bed = ground.bed,
                   .margin = sfi_bridge_margin(&rule->bridge)};
-        SF_TRY(run(&w, bed_layer, box, &around));
+        w.box = widen_to_bed(&w, bed_layer);
+        SF_TRY(run(&w));
     }
     if (changed != NULL) {
         *changed = around;
     }
     return SF_OK;
+}
+
+sf_status sfi_trim_area(const sf_grid *drawn, sf_grid *printable, const sf_rule *rule,
+                        uint32_t bed_layer, const sfi_area *edited, sfi_area *changed)
+{
+    walk w = {.edited = edited,
+              .changed = changed,
+              .drawn = drawn,
+              .printable = printable,
+              .rule = rule,
+              .bed = bed_layer,
+              .margin = sfi_bridge_margin(&rule->bridge)};
+    return sfi_area_is_empty(edited) ? SF_OK : run(&w);
 }
