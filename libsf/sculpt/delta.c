@@ -53,8 +53,9 @@ static void put_run(run_writer *w, uint64_t at, uint32_t length)
 
 // Runs of bits may meet at a word's border; there they are two.
 static void put_bits(sfi_step_writer *step, const sf_grid *a, const sf_grid *b,
-                     const sfi_area *area, sf_box box)
+                     const sfi_area *area)
 {
+    sf_box box = sfi_area_bounds(area);
     run_writer w = {step, box, 0};
     put_box(step, box);
     for (uint32_t z = box.z0; z < box.z1; z++) {
@@ -73,21 +74,34 @@ static void put_bits(sfi_step_writer *step, const sf_grid *a, const sf_grid *b,
     sfi_step_put(step, 0);
 }
 
+static uint64_t load_eight(const uint8_t *bytes)
+{
+    uint64_t word;
+    memcpy(&word, bytes, sizeof word);
+    return word;
+}
+
+// How many bytes from x on differ as the one at x does: eight at a time while they can be.
 static uint32_t run_of_bytes(const uint8_t *a, const uint8_t *b, uint32_t x, uint32_t x1)
 {
     uint32_t end = x + 1;
+    uint64_t same = (uint64_t)(a[x] ^ b[x]) * UINT64_C(0x0101010101010101);
+    while (end + 8 <= x1 && (load_eight(a + end) ^ load_eight(b + end)) == same) {
+        end += 8;
+    }
     while (end < x1 && (a[end] ^ b[end]) == (a[x] ^ b[x])) {
         end++;
     }
     return end - x;
 }
 
-static void put_materials(const sf_sculpt *m, sfi_step_writer *step, sf_box box)
+static void put_materials(const sf_sculpt *m, sfi_step_writer *step, const sfi_area *area)
 {
+    sf_box box = sfi_area_bounds(area);
     run_writer w = {step, box, 0};
     put_box(step, box);
     for (uint32_t z = box.z0; z < box.z1; z++) {
-        sf_rect r = m->touched.material.rects[z];
+        sf_rect r = area->rects[z];
         for (uint32_t y = r.y0; y < r.y1; y++) {
             const uint8_t *a = sfi_material_row(m, &m->now, y, z);
             const uint8_t *b = sfi_material_row(m, &m->before, y, z);
@@ -104,62 +118,51 @@ static void put_materials(const sf_sculpt *m, sfi_step_writer *step, sf_box box)
     sfi_step_put(step, 0);
 }
 
-// The box around the bits that differ, in an area.
-static sf_box tighten_bits(const sf_grid *a, const sf_grid *b, const sfi_area *area)
+static int bits_differ(const sf_grid *a, const sf_grid *b, const sfi_area *area)
 {
-    sf_box tight = {0, 0, 0, 0, 0, 0};
     for (uint32_t z = area->z0; z < area->z1; z++) {
         sf_slice sa = sf_grid_slice(a, z), sb = sf_grid_slice(b, z);
         sf_rect r = area->rects[z];
+        size_t first = sfi_rect_first_word(r), words = sfi_rect_end_word(r) - first;
         for (uint32_t y = r.y0; y < r.y1; y++) {
-            const uint64_t *ra = sfi_slice_row(sa, y), *rb = sfi_slice_row(sb, y);
-            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
-                sfi_box_note(&tight, i, ra[i] ^ rb[i], y, z);
+            if (memcmp(sfi_slice_row(sa, y) + first, sfi_slice_row(sb, y) + first,
+                       words * sizeof(uint64_t)) != 0) {
+                return 1;
             }
         }
     }
-    return tight;
+    return 0;
 }
 
-static sf_box tighten_materials(const sf_sculpt *m, const sfi_area *area)
+static int materials_differ(const sf_sculpt *m, const sfi_area *area)
 {
-    sf_box tight = {0, 0, 0, 0, 0, 0};
     for (uint32_t z = area->z0; z < area->z1; z++) {
         sf_rect r = area->rects[z];
         for (uint32_t y = r.y0; y < r.y1; y++) {
-            const uint8_t *a = sfi_material_row(m, &m->now, y, z);
-            const uint8_t *b = sfi_material_row(m, &m->before, y, z);
-            uint32_t x0 = r.x0, x1 = r.x1;
-            while (x0 < x1 && a[x0] == b[x0]) {
-                x0++;
+            if (memcmp(sfi_material_row(m, &m->now, y, z) + r.x0,
+                       sfi_material_row(m, &m->before, y, z) + r.x0, r.x1 - r.x0) != 0) {
+                return 1;
             }
-            while (x1 > x0 && a[x1 - 1] == b[x1 - 1]) {
-                x1--;
-            }
-            sf_rect rect = {x0, y, x1, y + 1};
-            tight = sfi_box_union(tight, rect, z);
         }
     }
-    return tight;
+    return 0;
 }
 
 int sfi_delta_write(sf_sculpt *m)
 {
     const sfi_touch *t = &m->touched;
-    sf_box printable = tighten_bits(m->now.printable, m->before.printable, &t->printable);
-    sf_box drawn =
-        m->options.keep_drawn ? tighten_bits(m->now.drawn, m->before.drawn, &t->drawn) : printable;
-    sf_box material = tighten_materials(m, &t->material);
-    if (sfi_box_is_empty(printable) && sfi_box_is_empty(drawn) && sfi_box_is_empty(material)) {
+    if (!bits_differ(m->now.printable, m->before.printable, &t->printable) &&
+        !bits_differ(m->now.drawn, m->before.drawn, &t->drawn) &&
+        !materials_differ(m, &t->material)) {
         return 0;
     }
     sfi_step_writer step = sfi_history_begin(&m->history);
     sfi_step_put(&step, m->options.keep_drawn ? 0 : DRAWN_IS_PRINTABLE);
-    put_bits(&step, m->now.printable, m->before.printable, &t->printable, printable);
+    put_bits(&step, m->now.printable, m->before.printable, &t->printable);
     if (m->options.keep_drawn) {
-        put_bits(&step, m->now.drawn, m->before.drawn, &t->drawn, drawn);
+        put_bits(&step, m->now.drawn, m->before.drawn, &t->drawn);
     }
-    put_materials(m, &step, material);
+    put_materials(m, &step, &t->material);
     sfi_history_end(&step);
     return 1;
 }
@@ -172,7 +175,6 @@ int sfi_delta_write(sf_sculpt *m)
 typedef struct run_reader {
     sfi_step_reader *step;
     sf_box box;
-    uint64_t at; // place of the run, then after it
     uint32_t x, y, z, length;
 } run_reader;
 
@@ -186,20 +188,29 @@ static sf_box get_box(sfi_step_reader *step)
     return box;
 }
 
-// The next run; 0 where there is none.
+// The next run; 0 where there is none. Most begin in the row after that of the last one.
 static int next_run(run_reader *r)
 {
+    uint32_t nx = r->box.x1 - r->box.x0, ny = r->box.y1 - r->box.y0;
+    uint64_t x = (uint64_t)(r->x - r->box.x0) + r->length, rows = 0;
     r->length = (uint32_t)sfi_step_get(r->step);
     if (r->length == 0) {
         return 0;
     }
-    r->at += sfi_step_get(r->step);
-    uint32_t nx = r->box.x1 - r->box.x0, ny = r->box.y1 - r->box.y0;
-    r->x = r->box.x0 + (uint32_t)(r->at % nx);
-    r->y = r->box.y0 + (uint32_t)(r->at / nx % ny);
-    r->z = r->box.z0 + (uint32_t)(r->at / nx / ny);
-    r->at += r->length;
+    x += sfi_step_get(r->step);
+    rows = x < nx ? 0 : x < 2 * (uint64_t)nx ? 1 : x / nx;
+    uint64_t y = r->y - r->box.y0 + rows;
+    r->x = r->box.x0 + (uint32_t)(x - rows * nx);
+    r->z += y < ny ? 0 : (uint32_t)(y / ny);
+    r->y = r->box.y0 + (uint32_t)(y < ny ? y : y % ny);
     return 1;
+}
+
+static run_reader begin_runs(sfi_step_reader *step)
+{
+    sf_box box = get_box(step);
+    run_reader r = {step, box, box.x0, box.y0, box.z0, 0};
+    return r;
 }
 
 static void note_run(sfi_area *touched, const run_reader *r)
@@ -217,10 +228,10 @@ static uint64_t count_bits(uint64_t w)
 }
 
 // Turn the bits of one part; a run lies within one word. Counts what becomes solid and empty.
-static sf_box apply_bits(sfi_step_reader *step, sf_grid *a, sf_grid *b, sfi_area *touched,
-                         uint64_t *added, uint64_t *removed)
+static void apply_bits(sfi_step_reader *step, sf_grid *a, sf_grid *b, sfi_area *touched,
+                       uint64_t *added, uint64_t *removed)
 {
-    run_reader r = {step, get_box(step), 0, 0, 0, 0, 0};
+    run_reader r = begin_runs(step);
     while (next_run(&r)) {
         note_run(touched, &r);
         uint64_t ones = ~UINT64_C(0) >> (64 - r.length) << r.x % 64;
@@ -232,12 +243,11 @@ static sf_box apply_bits(sfi_step_reader *step, sf_grid *a, sf_grid *b, sfi_area
             sfi_slice_row(sf_grid_slice(b, r.z), r.y)[r.x / 64] ^= ones;
         }
     }
-    return r.box;
 }
 
-static sf_box apply_materials(sf_sculpt *m, sfi_step_reader *step)
+static void apply_materials(sf_sculpt *m, sfi_step_reader *step)
 {
-    run_reader r = {step, get_box(step), 0, 0, 0, 0, 0};
+    run_reader r = begin_runs(step);
     while (next_run(&r)) {
         uint8_t value = (uint8_t)sfi_step_get(step);
         note_run(&m->touched.material, &r);
@@ -246,7 +256,6 @@ static sf_box apply_materials(sf_sculpt *m, sfi_step_reader *step)
             row[i] ^= value;
         }
     }
-    return r.box;
 }
 
 void sfi_delta_apply(sf_sculpt *m, sfi_step_reader *reader, sf_sculpt_change *change)
@@ -254,14 +263,14 @@ void sfi_delta_apply(sf_sculpt *m, sfi_step_reader *reader, sf_sculpt_change *ch
     sf_sculpt_change made = {0};
     uint64_t ignored[2] = {0, 0};
     int is_one = sfi_step_get(reader) == DRAWN_IS_PRINTABLE;
-    made.printable = apply_bits(reader, m->now.printable, is_one ? m->now.drawn : NULL,
-                                &m->touched.printable, &made.added_voxels, &made.removed_voxels);
-    made.drawn = is_one ? made.printable
-                        : apply_bits(reader, m->now.drawn, NULL, &m->touched.drawn, &ignored[0],
-                                     &ignored[1]);
+    apply_bits(reader, m->now.printable, is_one ? m->now.drawn : NULL, &m->touched.printable,
+               &made.added_voxels, &made.removed_voxels);
     if (is_one) {
         sfi_area_join(&m->touched.drawn, &m->touched.printable);
+    } else {
+        apply_bits(reader, m->now.drawn, NULL, &m->touched.drawn, &ignored[0], &ignored[1]);
     }
-    made.material = apply_materials(m, reader);
+    apply_materials(m, reader);
+    sfi_sculpt_boxes(&m->touched, &made);
     *change = made;
 }

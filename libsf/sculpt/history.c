@@ -16,6 +16,12 @@ static uint8_t *place(const sfi_history *h, uint64_t at)
     return h->bytes + at % h->capacity;
 }
 
+// The place after one.
+static uint8_t *next(const sfi_history *h, uint8_t *at)
+{
+    return at + 1 < h->bytes + h->capacity ? at + 1 : h->bytes;
+}
+
 static void put_length(const sfi_history *h, uint64_t at, uint64_t length)
 {
     for (unsigned i = 0; i < LENGTH_SIZE; i++) {
@@ -62,7 +68,9 @@ static void put_byte(sfi_step_writer *w, uint8_t byte)
 {
     make_room(w);
     if (!w->is_full) {
-        *place(w->history, w->at++) = byte;
+        *w->place = byte;
+        w->place = next(w->history, w->place);
+        w->at++;
     }
 }
 
@@ -70,7 +78,8 @@ sfi_step_writer sfi_history_begin(sfi_history *history)
 {
     history->end = history->here;
     history->redo_count = 0;
-    sfi_step_writer w = {history, history->here, 0};
+    uint8_t *first = history->capacity > 0 ? place(history, history->here) : NULL;
+    sfi_step_writer w = {history, history->here, first, 0};
     for (unsigned i = 0; i < LENGTH_SIZE; i++) {
         put_byte(&w, 0);
     }
@@ -111,13 +120,13 @@ sfi_step_reader sfi_history_back(sfi_history *history)
     history->here -= get_length(history, history->here - LENGTH_SIZE) + 2 * LENGTH_SIZE;
     history->undo_count--;
     history->redo_count++;
-    sfi_step_reader reader = {history, history->here + LENGTH_SIZE};
+    sfi_step_reader reader = {history, place(history, history->here + LENGTH_SIZE)};
     return reader;
 }
 
 sfi_step_reader sfi_history_forward(sfi_history *history)
 {
-    sfi_step_reader reader = {history, history->here + LENGTH_SIZE};
+    sfi_step_reader reader = {history, place(history, history->here + LENGTH_SIZE)};
     history->here += get_length(history, history->here) + 2 * LENGTH_SIZE;
     history->undo_count++;
     history->redo_count--;
@@ -128,7 +137,8 @@ uint64_t sfi_step_get(sfi_step_reader *reader)
 {
     uint64_t number = 0;
     for (unsigned shift = 0;; shift += 7) {
-        uint8_t byte = *place(reader->history, reader->at++);
+        uint8_t byte = *reader->place;
+        reader->place = next(reader->history, reader->place);
         number |= (uint64_t)(byte & 127) << shift;
         if (byte < 128) {
             return number;

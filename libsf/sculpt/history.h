@@ -21,13 +21,14 @@ typedef struct sfi_history {
 typedef struct sfi_step_writer {
     sfi_history *history;
     uint64_t at;
-    int is_full; // it does not fit, even alone
+    uint8_t *place; // of `at` in the ring
+    int is_full;    // it does not fit, even alone
 } sfi_step_writer;
 
 // A step being read.
 typedef struct sfi_step_reader {
     const sfi_history *history;
-    uint64_t at;
+    uint8_t *place;
 } sfi_step_reader;
 
 sfi_step_writer sfi_history_begin(sfi_history *history);

@@ -157,6 +157,7 @@ static sf_status fill(sf_sculpt *m)
         if (m->history.bytes == NULL) {
             return SF_ERR_MEMORY;
         }
+        memset(m->history.bytes, 0, m->history.capacity); // no stroke waits for fresh pages
     }
     SF_TRY(create_state(m, &m->now));
     SF_TRY(create_state(m, &m->before));

@@ -41,14 +41,4 @@ static inline void sfi_bytes_copy(uint8_t *row, const uint8_t *from, size_t i, u
     }
 }
 
-// *box grown by the set bits of word i of row y in layer z.
-static inline void sfi_box_note(sf_box *box, size_t i, uint64_t bits, uint32_t y, uint32_t z)
-{
-    if (bits != 0) {
-        uint32_t x = (uint32_t)i * 64;
-        sf_rect rect = {x + sfi_lowest_bit(bits), y, x + sfi_highest_bit(bits) + 1, y + 1};
-        *box = sfi_box_union(*box, rect, z);
-    }
-}
-
 #endif
