@@ -82,7 +82,7 @@ SF_API SF_CHECKED sf_status sf_tip_create(sf_tip_shape shape, const double radiu
 /**
  * Make a tip of any mask: its solid voxels.
  *
- * A mesh becomes a tip by way of sf_mesh_voxelize() on the model's pitch and layer height.
+ * A mesh becomes a tip by way of sf_grid_voxelize() on the model's pitch and layer height.
  *
  * @param mask       a grid of any size; only its voxels count, not where its lattice lies
  * @param anchor     its voxel that comes to lie on each dab; may lie outside it
