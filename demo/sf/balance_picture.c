@@ -1,309 +1,291 @@
 // SPDX-License-Identifier: MIT
-// A picture of a balance, seen straight from above: the shape as a pale shadow, on it what it
-// stands on, in that where its centre of mass may lie, where that was and where it is now.
+// A picture of a balance, seen straight from above: all of the shape as a pale shadow, on it what
+// it stands on or hangs from, where its centre of mass may lie, where that was and where it is now.
 //
-// Every pixel asks how far it is from each line, so that there is nothing to draw but colours; near
-// a line sixteen places in it are asked. All panels have one scale, that of the bar below them.
+// Every stance has a plan, with sides that count mm of the input's axes. A foot is often small
+// under what stands on it: then a second plan shows it larger, beside the first, in which a frame
+// says where it is. The key has room of its own at the bottom.
 
 #include "balance_picture.h"
 
-#include "legend.h"
-#include "plan_view.h"
+#include "plan_axes.h"
+#include "plan_key.h"
 #include "stand_say.h"
 #include "turned.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { PANELS_MAX = 4, SIDE = 4 };
-#define LEAST_PART 0.25 // of the model's size that a picture shows at least
-#define MARGIN 0.22     // around what must be seen
+enum { PLANS_MAX = 4, LEAST_SIDE = 24, TITLE_SIZE = 200 };
 
-static const double paper[3] = {1, 1, 1}, shadow[3] = {0.925, 0.93, 0.94};
-static const double support[3] = {0.62, 0.76, 0.93}, rim[3] = {0.20, 0.38, 0.62};
-static const double safe[3] = {0.56, 0.83, 0.58}, safe_rim[3] = {0.20, 0.52, 0.25};
-static const double before[3] = {0.90, 0.40, 0.10}, after[3] = {0.10, 0.12, 0.16};
+#define MARGIN 0.06      // around a shape
+#define MARGIN_LARGE 0.2 // around what is shown larger
+#define SMALL 0.45       // of a plan: what takes less of it is shown larger
+#define DEGREES (180 / 3.14159265358979323846)
 
-typedef struct panel {
+static const colour ink = {40, 44, 50};
+
+// A plan of a stance, its place in the picture, and what it shows.
+typedef struct view {
     plan plan;
-    int x, y, width, height;
-    double middle[2], pixel_mm;
-    double pen;    // half the width of a line, in mm
-    uint8_t *mask; // of the shape: a bit for each quarter of a pixel
-} panel;
+    double low[2], high[2];           // of all that it shows
+    double core_low[2], core_high[2]; // and without the shape
+    plot whole, part;
+    int x, y, width, height; // with titles and numbers
+    int has_part;
+} view;
+
+typedef struct sheet {
+    view views[PLANS_MAX];
+    size_t count;
+    int size; // of words
+    double unit;
+    plan_key key;
+} sheet;
 
 // ---------------------------------------------------------------------------------------------
-// The shadow
+// What is seen
 // ---------------------------------------------------------------------------------------------
 
-static double side_of(const double a[2], const double b[2], double x, double y)
-{
-    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-}
-
-static int clamp(double value, int most)
-{
-    return value > 0 ? (value < most ? (int)value : most) : 0;
-}
-
-// Corners in halves of a pixel.
-static void fill_triangle(panel *p, double c[3][2])
-{
-    double low[2], high[2];
-    for (int d = 0; d < 2; d++) {
-        low[d] = fmin(c[0][d], fmin(c[1][d], c[2][d]));
-        high[d] = fmax(c[0][d], fmax(c[1][d], c[2][d]));
-    }
-    int x1 = clamp(ceil(high[0]), 2 * p->width), y1 = clamp(ceil(high[1]), 2 * p->height);
-    for (int y = clamp(floor(low[1]), 2 * p->height); y < y1; y++) {
-        for (int x = clamp(floor(low[0]), 2 * p->width); x < x1; x++) {
-            double a = side_of(c[0], c[1], x + 0.5, y + 0.5);
-            double b = side_of(c[1], c[2], x + 0.5, y + 0.5);
-            double d = side_of(c[2], c[0], x + 0.5, y + 0.5);
-            if ((a >= 0 && b >= 0 && d >= 0) || (a <= 0 && b <= 0 && d <= 0)) {
-                p->mask[(size_t)(y / 2) * (size_t)p->width + (size_t)(x / 2)] |=
-                    (uint8_t)(1 << (2 * (y % 2) + x % 2));
-            }
-        }
-    }
-}
-
-static int cast_shadow(const model *m, panel *p)
+static void measure(const model *m, view *v)
 {
     sf_mesh_view mesh = sf_stand_outer(m->stand);
-    p->mask = calloc((size_t)p->width * (size_t)p->height, 1);
-    for (size_t t = 0; p->mask != NULL && t < mesh.triangle_count; t++) {
-        double corners[3][2];
-        for (int i = 0; i < 3; i++) {
-            plan_place(&p->plan, mesh.vertices + 3 * (size_t)mesh.triangles[3 * t + (size_t)i],
-                       corners[i]);
-            corners[i][0] = 2 * ((corners[i][0] - p->middle[0]) / p->pixel_mm + 0.5 * p->width);
-            corners[i][1] = 2 * ((p->middle[1] - corners[i][1]) / p->pixel_mm + 0.5 * p->height);
-        }
-        fill_triangle(p, corners);
-    }
-    return p->mask != NULL;
-}
-
-// ---------------------------------------------------------------------------------------------
-// Colours
-// ---------------------------------------------------------------------------------------------
-
-static double distance(const double a[2], const double b[2])
-{
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
-}
-
-static double distance_to_segment(const double a[2], const double b[2], const double at[2])
-{
-    double d[2] = {b[0] - a[0], b[1] - a[1]}, square = d[0] * d[0] + d[1] * d[1];
-    double t = square > 0 ? ((at[0] - a[0]) * d[0] + (at[1] - a[1]) * d[1]) / square : 0;
-    t = fmin(1, fmax(0, t));
-    double foot[2] = {a[0] + t * d[0], a[1] + t * d[1]};
-    return distance(foot, at);
-}
-
-// How far a place lies from each thing that is drawn, in mm; what has an inside, negative in it.
-typedef struct distances {
-    double support, safe, thread, before, after;
-} distances;
-
-static distances look(const panel *p, const double at[2])
-{
-    const plan *q = &p->plan;
-    const double *last = q->corners + 2 * (q->corner_count > 0 ? q->corner_count - 1 : 0);
-    distances d;
-    d.support = q->corner_count > 2   ? -plan_depth(q->edges, q->edge_count, at)
-                : q->corner_count > 0 ? distance_to_segment(q->corners, last, at) - 2 * p->pen
-                                      : INFINITY;
-    d.safe = q->is_never_safe || q->safe_count == 0 ? INFINITY
-                                                    : -plan_depth(q->safes, q->safe_count, at);
-    d.thread = distance_to_segment(q->before, q->after, at);
-    d.before = distance(q->before, at);
-    d.after = distance(q->after, at);
-    return d;
-}
-
-static const double *colour_at(const panel *p, const distances *d)
-{
-    double pen = p->pen;
-    if (d->after < 6 * pen) {
-        return d->after < 5 * pen ? after : paper;
-    }
-    if (d->before < 6 * pen) {
-        return d->before > 5 * pen || d->before < 2.6 * pen ? paper : before;
-    }
-    if (d->thread < 0.6 * pen) {
-        return before;
-    }
-    if (fabs(d->support) < pen) {
-        return rim;
-    }
-    if (fabs(d->safe) < 0.7 * pen) {
-        return safe_rim;
-    }
-    return d->safe < 0 ? safe : d->support < 0 ? support : NULL;
-}
-
-// Whether a whole pixel has one colour.
-static int is_plain(const panel *p, const distances *d)
-{
-    double near = p->pixel_mm, pen = p->pen;
-    return fabs(d->support) > pen + near && fabs(d->safe) > pen + near && d->thread > pen + near &&
-           d->before > 6 * pen + near && d->after > 6 * pen + near;
-}
-
-static void paint_pixel(const panel *p, int x, int y, uint8_t rgb[3])
-{
-    static const double quarters[16] = {0,    0.25, 0.25, 0.5,  0.25, 0.5,  0.5,  0.75,
-                                        0.25, 0.5,  0.5,  0.75, 0.5,  0.75, 0.75, 1};
-    double cover = quarters[p->mask[(size_t)y * (size_t)p->width + (size_t)x] & 15];
-    double corner[2] = {p->middle[0] + (x - 0.5 * p->width) * p->pixel_mm,
-                        p->middle[1] - (y - 0.5 * p->height) * p->pixel_mm};
-    double centre[2] = {corner[0] + 0.5 * p->pixel_mm, corner[1] - 0.5 * p->pixel_mm};
-    double sum[3] = {0, 0, 0};
-    distances d = look(p, centre);
-    int side = is_plain(p, &d) ? 1 : SIDE;
-    for (int i = 0; i < side * side; i++) {
-        double at[2] = {corner[0] + (i % side + 0.5) / side * p->pixel_mm,
-                        corner[1] - (i / side + 0.5) / side * p->pixel_mm};
-        d = look(p, at);
-        const double *found = colour_at(p, &d);
-        for (int c = 0; c < 3; c++) {
-            sum[c] += found != NULL ? found[c] : cover * shadow[c] + (1 - cover) * paper[c];
-        }
-    }
-    for (int c = 0; c < 3; c++) {
-        rgb[c] = (uint8_t)(255 * sum[c] / (side * side) + 0.5);
-    }
-}
-
-static sf_status paint(const panel *p, sf_task *task, canvas *picture)
-{
-    for (int y = 0; y < p->height; y++) {
-        if (sf_task_is_cancelled(task)) {
-            return SF_ERR_CANCELLED;
-        }
-        for (int x = 0; x < p->width; x++) {
-            size_t at = (size_t)(p->y + y) * picture->width + (size_t)(p->x + x);
-            paint_pixel(p, x, y, picture->pixels + 3 * at);
-        }
-    }
-    return SF_OK;
-}
-
-// ---------------------------------------------------------------------------------------------
-// Panels
-// ---------------------------------------------------------------------------------------------
-
-static void take_in(const double at[2], double low[2], double high[2])
-{
+    const plan *p = &v->plan;
     for (int i = 0; i < 2; i++) {
-        low[i] = fmin(low[i], at[i]);
-        high[i] = fmax(high[i], at[i]);
+        v->core_low[i] = fmin(p->support.low[i], p->safe.low[i]);
+        v->core_high[i] = fmax(p->support.high[i], p->safe.high[i]);
     }
-}
-
-// What must be seen, and the size of a pixel that it takes.
-static double frame(const model *m, panel *p)
-{
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    take_in(p->plan.before, low, high);
-    take_in(p->plan.after, low, high);
-    for (size_t i = 0; i < p->plan.corner_count; i++) {
-        take_in(p->plan.corners + 2 * i, low, high);
+    plan_take_in(p->before, v->core_low, v->core_high);
+    plan_take_in(p->after, v->core_low, v->core_high);
+    memcpy(v->low, v->core_low, sizeof v->low);
+    memcpy(v->high, v->core_high, sizeof v->high);
+    for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
+        double at[2];
+        plan_place(p, mesh.vertices + 3 * (size_t)mesh.triangles[i], at);
+        plan_take_in(at, v->low, v->high);
     }
-    double least = LEAST_PART * m->size_mm;
+    double least = 1e-3 * m->size_mm; // where all lies in a point
     for (int i = 0; i < 2; i++) {
-        p->middle[i] = 0.5 * (low[i] + high[i]);
+        double missing = fmax(0, least - (v->core_high[i] - v->core_low[i]));
+        v->core_low[i] -= 0.5 * missing;
+        v->core_high[i] += 0.5 * missing;
     }
-    return (1 + 2 * MARGIN) * fmax(fmax(high[0] - low[0], least) / p->width,
-                                   fmax(high[1] - low[1], least) / p->height);
 }
 
-static void title(const cli_job *job, const model *m, size_t index, const panel *p, int size,
-                  canvas *picture)
+static int is_small(const view *v)
+{
+    double core = 0, all = 0;
+    for (int i = 0; i < 2; i++) {
+        core = fmax(core, v->core_high[i] - v->core_low[i]);
+        all = fmax(all, v->high[i] - v->low[i]);
+    }
+    return core < SMALL * all;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Places
+// ---------------------------------------------------------------------------------------------
+
+// A plot in a part of a view, within its frame; bare where there is no room for one.
+static void place_plot(const sheet *s, const view *v, int x, int width, plot *p)
+{
+    int title = 2 * s->size, left = axes_left(s->size), top = axes_top(s->size);
+    p->plan = &v->plan;
+    p->unit = s->unit;
+    p->x = x + left;
+    p->y = v->y + title + top;
+    p->width = width - left - axes_right(s->size);
+    p->height = v->height - title - top - axes_bottom(s->size);
+    if (p->width < LEAST_SIDE || p->height < LEAST_SIDE) {
+        p->x = x + 1;
+        p->y = v->y + 1;
+        p->width = width - 2;
+        p->height = v->height - 2;
+    }
+}
+
+static void place_view(const sheet *s, view *v)
+{
+    int half = v->has_part ? v->width / 2 : v->width;
+    place_plot(s, v, v->x, half, &v->whole);
+    plot_frame(&v->whole, v->low, v->high, MARGIN);
+    if (!v->has_part) {
+        return;
+    }
+    place_plot(s, v, v->x + half, v->width - half, &v->part);
+    plot_frame(&v->part, v->core_low, v->core_high, MARGIN_LARGE);
+    v->whole.has_window = 1;
+    for (int i = 0; i < 2; i++) {
+        double reach = 0.5 * v->part.pixel_mm * (i == 0 ? v->part.width : v->part.height);
+        v->whole.window_low[i] = v->part.middle[i] - reach;
+        v->whole.window_high[i] = v->part.middle[i] + reach;
+    }
+}
+
+// Two plans that are shown larger in part stand below each other, others beside each other.
+static void lay_out(const cli_job *job, sheet *s)
+{
+    int width = (int)job->options.pixels[0], height = (int)job->options.pixels[1];
+    int larger = 0, key = key_height(&s->key, s->size, width);
+    height -= key < height / 3 ? key : 0;
+    for (size_t i = 0; i < s->count; i++) {
+        larger = larger || (s->count <= 2 && is_small(&s->views[i]));
+    }
+    int columns = s->count > 2 || (s->count == 2 && !larger) ? 2 : 1;
+    int rows = ((int)s->count + columns - 1) / columns;
+    for (int i = 0; i < (int)s->count; i++) {
+        view *v = &s->views[i];
+        v->width = width / columns;
+        v->height = height / rows;
+        v->x = i % columns * v->width;
+        v->y = i / columns * v->height;
+        v->has_part = larger && is_small(v) && v->width / 2 > 12 * s->size;
+        place_view(s, v);
+    }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Words
+// ---------------------------------------------------------------------------------------------
+
+static void choose_words(sheet *s)
+{
+    int rocks = 0;
+    s->key.words[MARK_SHADOW] = "the shape from above";
+    s->key.words[MARK_SAFE] = "safe for its centre of mass";
+    s->key.words[MARK_BEFORE] = "centre of mass before";
+    s->key.words[MARK_AFTER] = "and after";
+    for (size_t i = 0; i < s->count; i++) {
+        sf_stance_kind kind = s->views[i].plan.kind;
+        rocks += kind == SF_STANCE_ROCK;
+        if (kind == SF_STANCE_HANG) {
+            s->key.words[MARK_STRING] = "suspension point";
+        } else {
+            s->key.words[MARK_SUPPORT] = rocks > 0 ? "touches the ground" : "support polygon";
+        }
+    }
+}
+
+// "before -12.6", where the figures are of one stance
+static void say_before(const model *m, double sign, char words[32])
+{
+    words[0] = '\0';
+    if (m->stances.count == 1) {
+        snprintf(words, 32, ", before %.1f", sign * m->report.margin_before_rad * DEGREES);
+    }
+}
+
+static void write_title(const cli_job *job, const model *m, size_t index, char words[TITLE_SIZE])
 {
     const sf_stance *stance = sf_stand_stance(m->stand, index);
     sf_stance_options asked = sf_stance_get_options(stance);
-    char way[STAND_DIRECTION_SIZE], words[160];
-    static const colour ink = {40, 44, 50};
+    char way[STAND_DIRECTION_SIZE], before[32];
     sf_stance_verdict v;
     double up[3];
     turned_to_input(job, asked.up, up);
+    stand_direction(up, way);
+    words[0] = '\0';
     if (sf_stance_judge(stance, m->report.com_mm, &v) != SF_OK) {
         return;
     }
-    const double degrees = 180 / 3.14159265358979323846;
-    stand_direction(up, way);
-    if (asked.kind != SF_STANCE_STAND) {
-        snprintf(words, sizeof words, "%s up: rests %.1f degrees from it", way,
-                 -v.margin_rad * degrees);
-    } else if (m->stances.count == 1) {
-        snprintf(words, sizeof words, "%s up: margin %.1f degrees, before %.1f", way,
-                 v.margin_rad * degrees, m->report.margin_before_rad * degrees);
+    if (asked.kind == SF_STANCE_STAND) {
+        say_before(m, 1, before);
+        snprintf(words, TITLE_SIZE, "With %s up it %s: a margin of %.1f degrees (%g asked%s)", way,
+                 v.stands ? "stands" : "falls", v.margin_rad * DEGREES, asked.gamma_rad * DEGREES,
+                 before);
     } else {
-        snprintf(words, sizeof words, "%s up: margin %.1f degrees", way, v.margin_rad * degrees);
-    }
-    canvas_text(picture, p->x + size, p->y - size * 2 / 3, size, TEXT_LEFT, ink, words);
-}
-
-static void lay_out(const cli_job *job, size_t count, int strip, panel *panels)
-{
-    int columns = count > 1 ? 2 : 1, rows = count > 2 ? 2 : 1;
-    int width = (int)job->options.pixels[0] / columns;
-    int height = ((int)job->options.pixels[1] - (int)legend_height(job->options.pixels[1])) / rows;
-    for (size_t i = 0; i < count; i++) {
-        panels[i].x = (int)i % columns * width;
-        panels[i].y = (int)i / columns * height + strip;
-        panels[i].width = width;
-        panels[i].height = height - strip;
+        say_before(m, -1, before);
+        snprintf(words, TITLE_SIZE, "With %s up it %s: %.1f degrees off (%g allowed%s)", way,
+                 asked.kind == SF_STANCE_HANG ? "hangs" : "rocks", -v.margin_rad * DEGREES,
+                 asked.tolerance_rad * DEGREES, before);
     }
 }
 
-static sf_status draw(cli_job *job, const model *m, panel *panels, size_t count, canvas *picture)
+static void draw_title(const cli_job *job, const model *m, size_t index, const sheet *s,
+                       canvas *picture)
 {
-    static const swatch swatches[] = {
-        {support, "stands on"}, {safe, "safe"}, {before, "mass before"}, {after, "mass now"}};
-    int size = (int)picture->height / 32 > 10 ? (int)picture->height / 32 : 10;
-    double pixel_mm = 0;
-    lay_out(job, count, 2 * size, panels);
-    for (size_t i = 0; i < count; i++) {
-        if (!plan_make(m, i, &panels[i].plan)) {
-            return SF_ERR_MEMORY;
-        }
-        pixel_mm = fmax(pixel_mm, frame(m, &panels[i]));
+    const view *v = &s->views[index];
+    char words[TITLE_SIZE];
+    int size = s->size * 9 / 8;
+    write_title(job, m, index, words);
+    while (size > 7 && canvas_text_width(size, words) > v->width - 2 * s->size) {
+        size--;
     }
-    for (size_t i = 0; i < count; i++) {
-        panels[i].pixel_mm = pixel_mm;
-        panels[i].pen = pixel_mm * fmax(0.8, picture->height / 600.0);
-        if (!cast_shadow(m, &panels[i])) {
+    canvas_text(picture, v->x + s->size, v->y + s->size * 7 / 4, size, TEXT_LEFT, ink, words);
+}
+
+// ---------------------------------------------------------------------------------------------
+// All of it
+// ---------------------------------------------------------------------------------------------
+
+static int is_framed(const view *v, const plot *p)
+{
+    return p->y > v->y + 1;
+}
+
+static sf_status draw_plot(cli_job *job, const model *m, const sheet *s, const view *v,
+                           const plot *p, canvas *picture)
+{
+    sf_status status = plot_paint(p, sf_stand_outer(m->stand), &job->task, picture);
+    if (status == SF_OK && is_framed(v, p)) {
+        axes_draw(p, s->size * 7 / 8, picture);
+    }
+    return status;
+}
+
+static sf_status draw_view(cli_job *job, const model *m, const sheet *s, size_t index,
+                           canvas *picture)
+{
+    const view *v = &s->views[index];
+    sf_status status = draw_plot(job, m, s, v, &v->whole, picture);
+    if (status == SF_OK && v->has_part) {
+        status = draw_plot(job, m, s, v, &v->part, picture);
+        canvas_text(picture, v->part.x + v->part.width, v->part.y - s->size * 5 / 8,
+                    s->size * 7 / 8, TEXT_RIGHT, ink, "what the frame on the left holds");
+    }
+    if (status == SF_OK && is_framed(v, &v->whole)) {
+        draw_title(job, m, index, s, picture);
+    }
+    return status;
+}
+
+static sf_status draw(cli_job *job, const model *m, sheet *s, canvas *picture)
+{
+    double across = picture->width / 56.0, down = picture->height / 40.0;
+    s->size = (int)fmax(8, fmin(across, down));
+    s->unit = s->size / 20.0;
+    s->count = m->stances.count < PLANS_MAX ? m->stances.count : PLANS_MAX;
+    for (size_t i = 0; i < s->count; i++) {
+        if (!plan_make(job, m, i, &s->views[i].plan)) {
             return SF_ERR_MEMORY;
         }
-        sf_status status = paint(&panels[i], &job->task, picture);
+        measure(m, &s->views[i]);
+    }
+    choose_words(s);
+    lay_out(job, s);
+    for (size_t i = 0; i < s->count; i++) {
+        sf_status status = draw_view(job, m, s, i, picture);
         if (status != SF_OK) {
             return status;
         }
-        title(job, m, i, &panels[i], size, picture);
     }
-    legend_draw(picture, pixel_mm, 0.15 * picture->width, swatches, 4);
+    if (s->views[0].y + s->views[0].height < (int)picture->height) {
+        key_draw(&s->key, s->size, s->unit, picture);
+    }
     return SF_OK;
 }
 
 exit_status balance_picture_draw(cli_job *job, const model *m, canvas *picture)
 {
-    panel panels[PANELS_MAX];
-    size_t count = m->stances.count < PANELS_MAX ? m->stances.count : PANELS_MAX;
-    memset(panels, 0, sizeof panels);
+    sheet s;
+    memset(&s, 0, sizeof s);
     sf_status status = SF_ERR_MEMORY;
     if (canvas_create(picture, job->options.pixels[0], job->options.pixels[1])) {
-        status = draw(job, m, panels, count, picture);
+        status = draw(job, m, &s, picture);
     }
-    for (size_t i = 0; i < count; i++) {
-        plan_release(&panels[i].plan);
-        free(panels[i].mask);
+    for (size_t i = 0; i < s.count; i++) {
+        plan_release(&s.views[i].plan);
     }
     return status == SF_OK ? EXIT_GOOD
                            : job_fail_call(job, status, NULL, "the picture", EXIT_RESOURCE);

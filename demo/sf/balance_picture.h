@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A picture of a balance: what a model stands on, where its centre of mass may lie, was, and is.
+// A picture of a balance: what a model stands on or hangs from, where its centre of mass may lie,
+// was, and is.
 
 #ifndef DEMO_SF_BALANCE_PICTURE_H
 #define DEMO_SF_BALANCE_PICTURE_H
@@ -7,7 +8,8 @@
 #include "canvas.h"
 #include "stand_model.h"
 
-// Draw it, as large as the options say: a panel for each of the first four stances.
+// Draw it, as large as the options say: a plan for each of the first four stances, and beside it
+// what happens in the middle of it, where that is small.
 exit_status balance_picture_draw(cli_job *job, const model *m, canvas *picture);
 
 #endif

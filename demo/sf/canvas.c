@@ -64,21 +64,40 @@ static void blend_mask(canvas *c, cairo_surface_t *mask, int left, int top, colo
     }
 }
 
+static void choose_font(cairo_t *pen, int size)
+{
+    cairo_select_font_face(pen, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(pen, size);
+}
+
 int canvas_text(canvas *c, int x, int y, int size, text_align align, colour ink, const char *text)
 {
     cairo_surface_t *mask = cairo_image_surface_create(CAIRO_FORMAT_A8, (int)c->width, 2 * size);
     cairo_t *pen = cairo_create(mask);
     cairo_text_extents_t extents;
-    cairo_select_font_face(pen, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(pen, size);
+    choose_font(pen, size);
     cairo_text_extents(pen, text, &extents);
     cairo_move_to(pen, 0, size * 1.5);
     cairo_show_text(pen, text);
     cairo_surface_flush(mask);
     int width = cairo_status(pen) == CAIRO_STATUS_SUCCESS ? (int)(extents.x_advance + 0.5) : 0;
     if (width > 0) {
-        blend_mask(c, mask, align == TEXT_CENTRE ? x - width / 2 : x, y - size * 3 / 2, ink);
+        int left = align == TEXT_LEFT ? 0 : align == TEXT_CENTRE ? width / 2 : width;
+        blend_mask(c, mask, x - left, y - size * 3 / 2, ink);
     }
+    cairo_destroy(pen);
+    cairo_surface_destroy(mask);
+    return width;
+}
+
+int canvas_text_width(int size, const char *text)
+{
+    cairo_surface_t *mask = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *pen = cairo_create(mask);
+    cairo_text_extents_t extents;
+    choose_font(pen, size);
+    cairo_text_extents(pen, text, &extents);
+    int width = cairo_status(pen) == CAIRO_STATUS_SUCCESS ? (int)(extents.x_advance + 0.5) : 0;
     cairo_destroy(pen);
     cairo_surface_destroy(mask);
     return width;
@@ -89,6 +108,12 @@ int canvas_text(canvas *c, int x, int y, int size, text_align align, colour ink,
 int canvas_text(canvas *c, int x, int y, int size, text_align align, colour ink, const char *text)
 {
     (void)c, (void)x, (void)y, (void)size, (void)align, (void)ink, (void)text;
+    return 0;
+}
+
+int canvas_text_width(int size, const char *text)
+{
+    (void)size, (void)text;
     return 0;
 }
 

@@ -23,10 +23,13 @@ void canvas_destroy(canvas *c);
 void canvas_fill(canvas *c, int x0, int y0, int x1, int y1, colour ink);
 
 // Where text stands about its point.
-typedef enum text_align { TEXT_LEFT, TEXT_CENTRE } text_align;
+typedef enum text_align { TEXT_LEFT, TEXT_CENTRE, TEXT_RIGHT } text_align;
 
 // Write text, its baseline at y. Returns its width in pixels; 0 in a build without cairo, where
 // nothing is written.
 int canvas_text(canvas *c, int x, int y, int size, text_align align, colour ink, const char *text);
+
+// The width that it would take.
+int canvas_text_width(int size, const char *text);
 
 #endif

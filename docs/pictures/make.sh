@@ -13,6 +13,11 @@ build=${BUILD:-$(cd ../.. && pwd)/build}
 ninja -C "$build" $program >/dev/null
 "$build/$program" "$here/terms.png" >/dev/null
 mv "$here/terms.png" .
+# And the other of docs/balance.md: a leaning tower, made to stand.
+eval "$(sed -n '/^tower() {/,/^}/p' ../../tests/cli/stand.sh)"
+tower "$here/tower.obj" 16 8
+../../dev sf stand "$here/tower.obj" --wall 1 --resolution 32 --pixels 800,600 -o "$here/standing" >/dev/null
+mv "$here/standing.png" .
 # And that of docs/grade.md: a block of sixteen cells, painted.
 eval "$(sed -n '/^cage() {/,/^}/p' ../../tests/cli/tap.sh)"
 cage "$here/cage.vtk" 4 2 2
