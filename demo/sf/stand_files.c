@@ -102,8 +102,22 @@ static exit_status write_surface(cli_job *job, file_set *files, int which, sf_me
     return status;
 }
 
-// The model with its cavity, cut in two. Holes are not in it: those of one body are taken from
-// both.
+// Whether voids were drilled open or filled, which is not in the surfaces of rounds.
+static int has_holes(const model *m)
+{
+    return m->drilled.after != NULL &&
+           m->drilled.report.drain_count + m->drilled.report.filled_count > 0;
+}
+
+// The model with its cavity, in build axes; with holes it is the surface of its voxels, as that of
+// `sf hollow` is.
+static sf_status make_whole(cli_job *job, const model *m, sf_mesh **whole)
+{
+    return has_holes(m)
+               ? sf_grid_surface(m->drilled.after, NULL, NULL, &job->task, whole)
+               : hollow_join(sf_stand_outer(m->stand), sf_stand_cavity(m->stand), 0, whole);
+}
+
 static exit_status write_halves(cli_job *job, file_set *files, const model *m)
 {
     sf_mesh *whole = NULL;
@@ -111,7 +125,7 @@ static exit_status write_halves(cli_job *job, file_set *files, const model *m)
     if ((job->options.given & OPTION_CUT) == 0) {
         return EXIT_GOOD;
     }
-    sf_status made = hollow_join(sf_stand_outer(m->stand), sf_stand_cavity(m->stand), 0, &whole);
+    sf_status made = make_whole(job, m, &whole);
     if (made == SF_OK) {
         made = sf_mesh_transform(whole, &back);
     }
@@ -131,8 +145,9 @@ static void report_halves(cli_job *job, const file_set *files)
     }
     halves_report(job, &files->halves, files->path[LOW], files->path[HIGH]);
     if (files->save[CUT] != NULL && !files->halves.missed) {
-        report_say(job->report, "The halves have the cavity, but not the holes: take _cut.stl from "
-                                "each of them.");
+        report_say(job->report,
+                   "The halves have the holes, so their outside is that of voxels; for "
+                   "a smooth one take _cut.stl from _outer.stl, and cut that.");
     }
 }
 
@@ -140,8 +155,7 @@ static void report_halves(cli_job *job, const file_set *files)
 static exit_status write_cut(cli_job *job, file_set *files, const model *m)
 {
     sf_mesh *mesh = NULL;
-    if (m->drilled.after == NULL ||
-        m->drilled.report.drain_count + m->drilled.report.filled_count == 0) {
+    if (!has_holes(m)) {
         return EXIT_GOOD;
     }
     exit_status status = stand_drill_mesh(job, m, &mesh);

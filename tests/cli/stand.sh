@@ -168,18 +168,36 @@ exits 0 info drained_cut.stl --json
 awk -v v="$(value volume_mm3)" -v c="$carved" -v h="$hole" -v f="$filled" 'BEGIN { exit !((v >= c + h - 1e-3 || f > 0) && v < 1.1 * (c + h)) }'
 ok $? "the body to be taken away is as large, and goes on ($(value volume_mm3), $carved, $hole)"
 
-# Halves: of the model as it came out, so that a weight can be put in.
-exits 0 stand tower.obj --wall 1 --resolution 40 --drain 2 --cut z,20 --pixels 200,150 -o opened --json
+# Halves: of the model as it came out, so that a weight can be put in. Closed, and facing outwards.
+halves() { # NAME: the sum of both volumes
+    sum=0
+    for half in low high; do
+        exits 0 info $1_$half.stl --json
+        same "$(value closed) $(value oriented) $(value flipped) $(value misoriented_edges)" "true true false 0" "$1_$half.stl is closed and faces outwards"
+        sum=$(awk -v s="$sum" -v v="$(value volume_mm3)" 'BEGIN { printf "%.6f", s + v }')
+    done
+}
+exits 0 stand tower.obj --wall 1 --resolution 40 --cut z,20 --pixels 200,150 -o opened --json
 same "$(value halves.axis) $(value halves.at_mm) $(value halves.low.output) $(value halves.high.output)" "z 20 opened_low.stl opened_high.stl" "--cut opens it"
-grep -q 'take _cut.stl from' opened.json
-ok $? "and says where the holes are"
-sum=0
-for half in outer inner low high; do
-    exits 0 info opened_$half.stl --json
-    same "$(value closed)" true "opened_$half.stl is closed"
-    sum=$(awk -v s="$sum" -v v="$(value volume_mm3)" -v h=$half 'BEGIN { v = v < 0 ? -v : v; printf "%.6f", s + (h == "outer" ? -v : v) }')
+halves opened
+for side in outer inner; do
+    exits 0 info opened_$side.stl --json
+    same "$(value closed)" true "opened_$side.stl is closed"
+    sum=$(awk -v s="$sum" -v v="$(value volume_mm3)" -v h=$side 'BEGIN { printf "%.6f", s - (v < 0 || h == "outer" ? v : -v) }')
 done
 near "$sum" 0 0.05 "the halves are the outside without the cavity"
+# With holes too: the layers are voxels, so what they weigh is known to the last one. The plane lies
+# in faces of voxels, and across holes, where x = 6 is.
+for cut in z,20 z,20.3 x,6; do
+    exits 0 stand tower.obj --wall 1 --resolution 40 --drain 2 --cut $cut --pixels 200,150 -o drilled --layers drilled --json
+    holes=$(value drained.volume_mm3)
+    same "$(awk -v h="$holes" 'BEGIN { print (h > 1) }') $(value drained.closed) $(value halves.shut_cavities)" "1 0 0" "drained and cut at $cut"
+    grep -q 'The halves have the holes' drilled.json
+    ok $? "and says that the holes are in the halves"
+    halves drilled
+    exits 0 info drilled --json
+    near "$sum" "$(value volume_mm3)" 0.01 "the halves are what the layers are, holes and all ($holes mm3 of holes)"
+done
 exits 0 stand tower.obj --wall 1 --resolution 40 --pixels 200,150 -o opened
 [ ! -e opened_low.stl ] && [ ! -e opened_high.stl ]
 ok $? "halves of an earlier run go"
