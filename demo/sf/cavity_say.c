@@ -98,8 +98,9 @@ static void say_support(report *r, const change *done)
     } else {
         report_say(
             r,
-            "%s hung in the air before hollowing, and still need supports; hollowing adds nothing "
-            "that does.",
+            "%s hang in the air, as before hollowing, and need supports; hollowing adds nothing "
+            "that "
+            "does.",
             describe_mm3((double)done->accepted_voxels * place_voxel_mm3(done->after), hung));
     }
 }

@@ -260,10 +260,10 @@ static const char *name_count(uint64_t count, const char *name, char words[WORDS
     return words;
 }
 
-static void say_verdict(report *r, const judgement *j)
+static void say_verdict(report *r, const judgement *j, double voxel_mm3)
 {
     const sf_check_report *c = &j->counts;
-    char words[4][WORDS_SIZE], list[4 * WORDS_SIZE + 24] = "";
+    char words[4][WORDS_SIZE], list[4 * WORDS_SIZE + 24] = "", hangs[DESCRIBE_MM3_SIZE];
     if (c->support_free) {
         report_say(r, "It prints without supports.");
         return;
@@ -282,8 +282,11 @@ static void say_verdict(report *r, const judgement *j)
                  : left == 1                      ? " and "
                                                   : ", ");
     }
-    report_say(r, "It does not print without supports: %s; %.3g %% of its matter cannot print.",
-               list, 100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
+    report_say(r,
+               "It does not print without supports: %s; %s hang in the air, and with what rests on "
+               "them %.3g %% of its matter cannot print.",
+               list, describe_mm3((double)c->unsupported_voxels * voxel_mm3, hangs),
+               100.0 * (double)c->trimmed_voxels / (double)c->solid_voxels);
 }
 
 void judgement_report(cli_job *job, const part *p, const judgement *j, int is_brief)
@@ -294,7 +297,7 @@ void judgement_report(cli_job *job, const part *p, const judgement *j, int is_br
     sf_lattice lattice = sf_grid_lattice(p->grid);
     report_fields(r, &lattice, j);
     report_number(r, "volume_mm3", describe_volume(p->grid));
-    say_verdict(r, j);
+    say_verdict(r, j, place_voxel_mm3(p->grid));
     say_groups(r, &lattice, j, place_voxel_mm3(p->grid), most);
     hollows_report(job, p, &j->hollows);
     hollows_say(job, p, &j->hollows, is_brief);

@@ -43,6 +43,7 @@ static const option_entry table[] = {
     {OPTION_STEPS, "steps", 0, "N", "steps of refinement, 1 to 6 (default 2)"},
     {OPTION_SEPARABLE, "separable", 0, NULL,
      "where the cage is extruded, cross sections are those of surfaces"},
+    {OPTION_INNER, "inner", 0, "MESH", "the surface of a cavity, which is taken from the part"},
     {OPTION_CAVITY, "cavity", 0, "MESH", "also write the cavity, holes included, by itself"},
     {OPTION_CUT, "cut", 0, "AXIS[,MM]",
      "also cut the written mesh across x, y or z into halves _low and _high (default: its middle)"},

@@ -45,6 +45,7 @@
 #define OPTION_DENSITY (UINT64_C(1) << 31)
 #define OPTION_PICTURE (UINT64_C(1) << 32)
 #define OPTION_CAVITY (UINT64_C(1) << 33)
+#define OPTION_INNER (UINT64_C(1) << 60)
 #define OPTION_BUILD (UINT64_C(1) << 34)
 #define OPTION_GAMMA (UINT64_C(1) << 35)
 #define OPTION_CONTACTS (UINT64_C(1) << 36)
@@ -79,6 +80,7 @@ typedef struct cli_options {
     const char *certificate;            // file to write, or NULL
     const char *keep, *forbid, *remove; // meshes of masks, or NULL
     const char *cavity, *picture;       // files to write, or NULL
+    const char *inner;                  // a mesh, or NULL
     const char *layers;                 // folder to write, or NULL
     const char *density;                // a number or a file, or NULL
     const char *property, *materials;   // a name, a file; or NULL

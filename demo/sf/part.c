@@ -3,6 +3,7 @@
 
 #include "part.h"
 
+#include "inner.h"
 #include "lattice.h"
 #include "progress.h"
 #include "scene.h"
@@ -188,7 +189,7 @@ static exit_status read_scene(cli_job *job, part *p)
     return made == SF_OK ? EXIT_GOOD : job_fail_call(job, made, NULL, name, EXIT_RESOURCE);
 }
 
-exit_status part_read(cli_job *job, part *p)
+static exit_status read_any(cli_job *job, part *p)
 {
     const char *input = job->options.input;
     struct stat entry;
@@ -202,6 +203,12 @@ exit_status part_read(cli_job *job, part *p)
         return read_stack(job, p);
     }
     return read_mesh(job, p);
+}
+
+exit_status part_read(cli_job *job, part *p)
+{
+    exit_status status = read_any(job, p);
+    return status == EXIT_GOOD ? inner_read(job, p) : status;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -246,6 +253,9 @@ exit_status part_voxelize(cli_job *job, part *p)
     }
     longest_side(sf_mesh_get_view(p->mesh), low, high);
     exit_status status = lattice_choose(job, low, high, &lattice, &p->lift);
+    if (status == EXIT_GOOD) {
+        status = inner_align(job, p, &lattice);
+    }
     if (status != EXIT_GOOD) {
         return status;
     }
@@ -253,7 +263,8 @@ exit_status part_voxelize(cli_job *job, part *p)
     if (made != SF_OK) {
         return job_fail_call(job, made, NULL, "the grid", EXIT_RESOURCE);
     }
-    return fill(job, p);
+    status = fill(job, p);
+    return status == EXIT_GOOD ? inner_take(job, p) : status;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -343,6 +354,7 @@ sf_transform part_to_input(const cli_job *job)
 void part_release(part *p)
 {
     sf_mesh_destroy(p->mesh);
+    sf_mesh_destroy(p->inner);
     sf_grid_destroy(p->grid);
     free(p->table);
     memset(p, 0, sizeof *p);

@@ -14,6 +14,7 @@ typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE } part_kind;
 typedef struct part {
     part_kind kind;
     sf_mesh *mesh;             // in build axes (z up) and mm; NULL unless read from a mesh
+    sf_mesh *inner;            // a cavity to be taken from it, or NULL
     sf_transform to_build;     // from the axes and unit of the input to build axes and mm
     sf_grid *grid;             // NULL until part_voxelize()
     int own_rule, own_bridges; // whether these are the stack's, and not of the command line

@@ -12,6 +12,7 @@
 #include "progress.h"
 #include "stand_drill.h"
 #include "stand_layers.h"
+#include "stand_prints.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -198,7 +199,16 @@ static void report_layers(cli_job *job, const stand_layers *layers)
     }
 }
 
-static exit_status write_report(cli_job *job, file_set *files)
+// Holes are in the body that is to be taken away, and not in the cavity.
+static exit_status advise(cli_job *job, const file_set *files, const model *m)
+{
+    int inner = files->save[CUT] != NULL ? CUT : INNER;
+    return stand_prints_advise(job, m, files->path[OUTER],
+                               files->save[inner] != NULL ? files->path[inner] : NULL,
+                               files->layers.folder != NULL ? job->options.layers : NULL);
+}
+
+static exit_status write_report(cli_job *job, file_set *files, const model *m)
 {
     exit_status status = begin(job, files, REPORT);
     report *r = job->report;
@@ -216,6 +226,9 @@ static exit_status write_report(cli_job *job, file_set *files)
                files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
     report_halves(job, files);
     report_layers(job, &files->layers);
+    if (status == EXIT_GOOD) {
+        status = advise(job, files, m);
+    }
     return status == EXIT_GOOD
                ? end(job, files, REPORT, report_print_json(r, sf_save_sink(files->save[REPORT])))
                : status;
@@ -268,7 +281,7 @@ static exit_status write_all(cli_job *job, file_set *files, const model *m)
     if (status == EXIT_GOOD) {
         status = stand_layers_begin(job, m, &files->layers);
     }
-    return status == EXIT_GOOD ? write_report(job, files) : status;
+    return status == EXIT_GOOD ? write_report(job, files, m) : status;
 }
 
 exit_status stand_files_save(cli_job *job, const model *m)

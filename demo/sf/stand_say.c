@@ -273,10 +273,6 @@ static void say_price(const cli_job *job, const model *m)
     }
     report_say(job->report, "%u round%s: %s; %s.", done->rounds, done->rounds == 1 ? "" : "s",
                inside, outside);
-    if (done->hanging_voxels > 0) {
-        report_say(job->report, "Inside, %llu voxels hang that nothing carries.",
-                   (unsigned long long)done->hanging_voxels);
-    }
 }
 
 static void warn(cli_job *job, const model *m)

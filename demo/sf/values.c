@@ -213,6 +213,7 @@ static int parse_file(uint64_t bit, const char *text, cli_options *made)
                          : bit == OPTION_KEEP        ? &made->keep
                          : bit == OPTION_FORBID      ? &made->forbid
                          : bit == OPTION_CAVITY      ? &made->cavity
+                         : bit == OPTION_INNER       ? &made->inner
                          : bit == OPTION_LAYERS      ? &made->layers
                          : bit == OPTION_PICTURE     ? &made->picture
                          : bit == OPTION_DENSITY     ? &made->density
@@ -272,6 +273,7 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
     case OPTION_FORBID:
     case OPTION_REMOVE:
     case OPTION_CAVITY:
+    case OPTION_INNER:
     case OPTION_LAYERS:
     case OPTION_PICTURE:
     case OPTION_DENSITY:

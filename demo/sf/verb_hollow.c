@@ -2,6 +2,7 @@
 // sf hollow: the inside out of a part, with walls of a given thickness, so that what printed
 // without supports still does; and a way out for what is in it.
 
+#include "advice.h"
 #include "certify.h"
 #include "cutaway.h"
 #include "describe.h"
@@ -57,13 +58,14 @@ static void say_halves(cli_job *job, const halves *h)
     }
 }
 
-static void say_files(cli_job *job, const halves *h)
+static void say_files(cli_job *job, const part *p, const halves *h)
 {
     const char *path = job->options.output, *inner = job->options.cavity;
     report_number(job->report, "seconds", job_seconds(job));
     if (path != NULL) {
         report_text(job->report, "output", path);
         report_say(job->report, "Written to %s.", path);
+        advice_check(job, p, path, NULL);
     }
     say_halves(job, h);
     if (inner != NULL) {
@@ -93,7 +95,7 @@ static exit_status save_all(cli_job *job, const part *p, const cavity *c, halves
     if (status != EXIT_GOOD) {
         return status;
     }
-    say_files(job, h);
+    say_files(job, p, h);
     return cavity_holds(job, c) && !h->missed ? EXIT_GOOD : EXIT_PROPERTY;
 }
 

@@ -3,6 +3,7 @@
 // its outside.
 
 #include "stand_files.h"
+#include "stand_prints.h"
 #include "stand_rest.h"
 #include "stand_say.h"
 #include "verbs.h"
@@ -18,6 +19,10 @@ static exit_status balance(cli_job *job, model *m)
         return status;
     }
     stand_report(job, m);
+    status = stand_prints(job, m);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
     if (job->options.output != NULL) {
         status = stand_files_save(job, m);
     } else {

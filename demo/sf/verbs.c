@@ -36,7 +36,7 @@ const verb_entry verbs_table[] = {
      verb_info},
     {{"check", "does it print without supports, and where not?", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_STEEPEST | OPTION_CRUMBS |
-          OPTION_PRINTING,
+          OPTION_PRINTING | OPTION_INNER,
       "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
       "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n"
       "  sf check part.stl --printing\n",

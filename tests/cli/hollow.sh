@@ -203,6 +203,25 @@ exits 2 hollow block.obj --pitch 1 --wall 0
 exits 2 hollow block.obj --pitch 1 --wall 3 --drain 0
 exits 2 hollow block.obj --pitch 1 --wall 3 --drain 2,0
 exits 2 hollow block.obj --pitch 1 --wall 3 --cavity cavity
+# An arm hangs, hollow or not; sf check finds just as much in what was written, by the command that
+# is said, and in the same words.
+box arm.obj 40 0 20 60 30 30
+{ cat block.obj; sed '/^f/d' arm.obj; awk '/^f/ { print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8 }' arm.obj; } >armed.obj
+for how in "-o armed.stl" "-o armed.stl --angle 40 --pitch 1,1,0.5" "-o armed.stl --rule box3 --bridge 3" "-o armed" "-o armed.stl --up +x" "-o armed.stl --drain 4"; do
+    pitch="--pitch 1"
+    case $how in *--pitch*) pitch= ;; esac
+    # shellcheck disable=SC2086
+    run hollow armed.obj $pitch --wall 3 $how
+    grep 'hang in the air, as before hollowing' stdout >sentence
+    # shellcheck disable=SC2086
+    run hollow armed.obj $pitch --wall 3 $how --json
+    hangs=$(value accepted_voxels)
+    command=$(value check)
+    eval "run ${command#sf } --json"
+    same "$(value unsupported_voxels)" "$hangs" "$command finds as much that hangs"
+    eval "run ${command#sf }"
+    same "$(sed -n 's/.*; \(.*\) hang in the air.*/\1/p' stdout)" "$(sed 's/ hang in the air.*//' sentence)" "and says so: $(cat sentence)"
+done
 exits 2 hollow block.obj --pitch 1 --wall 3 --picture cut.jpg
 exits 4 hollow block.obj --pitch 1 --wall 3 --cavity nowhere/cavity.stl -o unwritten
 exits 4 hollow block.obj --pitch 1 --wall 3 --picture nowhere/cut.png -o unwritten

@@ -204,6 +204,42 @@ ok $? "halves of an earlier run go"
 exits 2 stand tower.obj --cut z,20
 exits 2 stand tower.obj --cut z,40 -o beside
 
+# What hangs is said in the words of sf check, with the command that finds the same: on the same
+# voxels, of the outside without the cavity, or without cavity and holes, or of layers. A mesh is
+# written in 32-bit floats, by which a voxel in thousands turns over.
+sentence=$(run stand tower.obj --wall 1 --resolution 40 --build +x --pixels 200,150 -o looked && grep 'hang in the air' stdout)
+[ -n "$sentence" ]
+ok $? "what hangs is said: $sentence"
+for how in "--build +x" "--build -y --angle 50" "--up +x --wall 1.3" "--rule box3 --build +x" "--drain 2" "--drain 2 --build +x" "--layers looked"; do
+    # shellcheck disable=SC2086
+    run stand tower.obj --wall 1 --resolution 40 --pixels 200,150 $how -o looked --json
+    hangs=$(value unsupported_voxels) falls=$(value trimmed_voxels) free=$(value support_free)
+    command=$(value check)
+    eval "run ${command#sf } --json"
+    near "$(value unsupported_voxels)" "$hangs" 1 "$command finds as much that hangs"
+    near "$(value trimmed_voxels)" "$falls" 4 "and as much that rests on it"
+    same "$(value support_free)" "$free" "and the same verdict"
+done
+exits 0 stand light.obj --wall 1 --resolution 40 --no-deform --gamma 1 -o 'with space' --pixels 200,150 --json
+command=$(value check) solid=$(value unsupported_voxels)
+eval "run ${command#sf } --json"
+same "$(value unsupported_voxels) $(value inner)" "$solid with space_inner.stl" "$command"
+exits 3 check light.obj --inner missing.stl
+box beside.obj 100 0 0 110 10 10
+exits 3 check light.obj --inner beside.obj
+grep -q 'lies beside the part' stderr
+ok $? "a cavity lies in its part: $(cat stderr)"
+exits 2 check scene:garden --resolution 16 --inner beside.obj
+# A cavity is taken away whichever way it faces: 40 x 30 x 20 less 20 x 10 x 10 in the middle, whose
+# ceiling hangs but for its rim.
+box whole.obj 0 0 0 40 30 20
+box hole.obj 10 10 5 30 20 15
+awk '/^f/ { print "f", $5, $4, $3, $2; next } { print }' hole.obj >turned_hole.obj
+for hole in hole turned_hole; do
+    run check whole.obj --inner $hole.obj --pitch 1 --json
+    same "$exit $(value solid_voxels) $(value unsupported_voxels)" "1 22000 144" "without $hole.obj"
+done
+
 # Contacts: on one of two feet. A bench whose feet stand at x = 0..4 and 16..20.
 awk 'BEGIN { b = 0; print "# bench" }
     function box(x0, x1, z0, z1, i) {
