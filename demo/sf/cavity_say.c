@@ -12,19 +12,24 @@
 
 enum { DRAINS_SAID = 6 };
 
-static void report_drain(report *r, const sf_drain *d)
+static void report_drain(report *r, axis up, const sf_drain *d)
 {
+    double from[3], to[3];
+    place_point(up, d->from_mm, from);
+    place_point(up, d->to_mm, to);
     report_begin(r, NULL);
-    report_numbers(r, "from_mm", d->from_mm, 3);
-    report_numbers(r, "to_mm", d->to_mm, 3);
+    report_numbers(r, "from_mm", from, 3);
+    report_numbers(r, "to_mm", to, 3);
     report_count(r, "voxels", d->voxels);
     report_number(r, "volume_mm3", d->body.mass);
     report_count(r, "void_voxels", d->void_voxels);
     report_end(r);
 }
 
-static void report_voids(report *r, const cavity *c, int was_drained)
+static void report_voids(const cli_job *job, const cavity *c)
 {
+    report *r = job->report;
+    int was_drained = job->options.drain_mm > 0;
     report_begin(r, "voids");
     report_count(r, "count", c->void_count);
     report_count(r, "voxels", c->void_voxels);
@@ -35,18 +40,21 @@ static void report_voids(report *r, const cavity *c, int was_drained)
     report_end(r);
     report_begin_list(r, "drains");
     for (size_t i = 0; i < c->drain_count; i++) {
-        report_drain(r, &c->drains[i]);
+        report_drain(r, job->options.up, &c->drains[i]);
     }
     report_end(r);
     report_count(r, "drains_dropped", c->drained.drains_dropped);
     report_number(r, "drains_mm3", c->drained.removed.mass);
 }
 
-static void report_mass(report *r, const sf_body *body, const char *mass, const char *where)
+static void report_mass(const cli_job *job, const sf_body *body, const char *mass,
+                        const char *where)
 {
+    report *r = job->report;
     double com[3];
     report_number(r, mass, body->mass);
     if (sf_body_com(*body, com) == SF_OK) {
+        place_point(job->options.up, com, com);
         report_numbers(r, where, com, 3);
     } else {
         report_null(r, where);
@@ -73,9 +81,12 @@ static void say_voids(cli_job *job, const cavity *c)
                job->options.drain_mm, describe_mm3(c->drained.removed.mass, volume));
     for (size_t i = 0; i < c->drain_count && i < DRAINS_SAID; i++) {
         const sf_drain *d = &c->drains[i];
+        double from[3], to[3];
+        place_point(job->options.up, d->from_mm, from);
+        place_point(job->options.up, d->to_mm, to);
         report_say(r, "  hole from x %.2f, y %.2f, z %.2f down to x %.2f, y %.2f, z %.2f: %s",
-                   d->from_mm[0], d->from_mm[1], d->from_mm[2], d->to_mm[0], d->to_mm[1],
-                   d->to_mm[2], describe_mm3(d->body.mass, volume));
+                   from[0], from[1], from[2], to[0], to[1], to[2],
+                   describe_mm3(d->body.mass, volume));
     }
     if (c->drained.filled_count > 0) {
         report_say(r, "%llu void%s too small for a hole and filled again, %s.",
@@ -131,8 +142,8 @@ void cavity_report(cli_job *job, const part *p, const cavity *c)
     report_number(r, "carved_mm3", c->carved_mm3);
     report_number(r, "kept_inside_mm3", c->kept_mm3);
     change_report(r, NULL, &c->done);
-    report_voids(r, c, job->options.drain_mm > 0);
-    report_mass(r, &c->before, "mass_before", "com_before_mm");
-    report_mass(r, &c->after, "mass", "com_mm");
+    report_voids(job, c);
+    report_mass(job, &c->before, "mass_before", "com_before_mm");
+    report_mass(job, &c->after, "mass", "com_mm");
     say(job, c);
 }

@@ -84,9 +84,9 @@ static const char *what_cannot_stay(sf_operation operation)
 static exit_status refuse(cli_job *job, const sf_grid *culprits, sf_operation operation)
 {
     double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-    sf_lattice lattice = sf_grid_lattice(culprits);
+    places in = {sf_grid_lattice(culprits), job->options.up};
     sf_box box = sf_grid_bounds(culprits);
-    place_of_box(&lattice, &box, low, high);
+    place_box(&in, &box, low, high);
     memcpy(job->culprit_low_mm, low, sizeof low);
     memcpy(job->culprit_high_mm, high, sizeof high);
     job->culprits = sf_grid_popcount(culprits);

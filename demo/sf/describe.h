@@ -14,7 +14,7 @@ double describe_volume(const sf_grid *grid);
 enum { DESCRIBE_MM3_SIZE = 32 };
 const char *describe_mm3(double volume_mm3, char text[DESCRIBE_MM3_SIZE]);
 
-// An object "lattice".
+// An object "lattice", along build axes.
 void describe_lattice(report *r, const sf_lattice *lattice);
 
 // Fields: verb, input, lattice, rule, bed layer; and the sentence that opens the text.

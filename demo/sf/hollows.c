@@ -52,15 +52,15 @@ static int is_on_bed(const hollows *h, const sf_void *v)
     return v->box.z0 == h->counts.bed_layer;
 }
 
-static void report_void(report *r, const sf_lattice *lattice, const hollows *h, const sf_void *v)
+static void report_void(report *r, const places *in, const hollows *h, const sf_void *v)
 {
     double low[3], high[3];
-    place_of_box(lattice, &v->box, low, high);
+    place_box(in, &v->box, low, high);
     report_begin(r, NULL);
     report_text(r, "kind", v->kind == SF_VOID_TRAP ? "trap" : "cup");
     report_count(r, "volume_voxels", v->volume);
     report_count(r, "area_voxels", v->area);
-    report_number(r, "area_mm2", (double)v->area * lattice->pitch_x_mm * lattice->pitch_y_mm);
+    report_number(r, "area_mm2", (double)v->area * in->lattice.pitch_x_mm * in->lattice.pitch_y_mm);
     report_numbers(r, "low_mm", low, 3);
     report_numbers(r, "high_mm", high, 3);
     report_flag(r, "on_bed", is_on_bed(h, v));
@@ -110,7 +110,7 @@ static void name_cups(const hollows *h, const sf_lattice *lattice, char *words, 
              (double)widest * lattice->pitch_x_mm * lattice->pitch_y_mm);
 }
 
-static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, double voxel_mm3)
+static void say_traps(report *r, const places *in, const hollows *h, double voxel_mm3)
 {
     const sf_void *v = next_trap(h, NULL);
     char traps[WORDS_SIZE];
@@ -119,7 +119,7 @@ static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, do
                h->counts.trap_count == 1 ? "it" : "them");
     for (int i = 0; i < VOIDS_SAID && v != NULL; i++, v = next_trap(h, v)) {
         char where[PLACE_WORDS_SIZE], volume[DESCRIBE_MM3_SIZE];
-        place_words(lattice, &v->box, 1, where);
+        place_words(in, &v->box, 1, where);
         report_say(r, "  %-8s from %s: %s%s", "trap", where,
                    describe_mm3((double)v->volume * voxel_mm3, volume),
                    is_on_bed(h, v) ? ", until the part is off the bed" : "");
@@ -128,11 +128,11 @@ static void say_traps(report *r, const sf_lattice *lattice, const hollows *h, do
 
 void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    places in = {sf_grid_lattice(p->grid), job->options.up};
     double voxel_mm3 = place_voxel_mm3(p->grid);
     char traps[WORDS_SIZE], cups[WORDS_SIZE];
     name_traps(h, voxel_mm3, traps, sizeof traps);
-    name_cups(h, &lattice, cups, sizeof cups);
+    name_cups(h, &in.lattice, cups, sizeof cups);
     if (is_brief && h->counts.trap_count > 0) {
         report_say(job->report, "%s%s%s ('sf check' says where).", traps,
                    h->counts.cup_count > 0 ? "; printed from resin " : "",
@@ -140,7 +140,7 @@ void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
         return;
     }
     if (h->counts.trap_count > 0) {
-        say_traps(job->report, &lattice, h, voxel_mm3);
+        say_traps(job->report, &in, h, voxel_mm3);
     }
     if (h->counts.cup_count > 0) {
         report_say(job->report, "Printed from resin, hanging from the bed, %s.", cups);
@@ -150,7 +150,7 @@ void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
 void hollows_report(cli_job *job, const part *p, const hollows *h)
 {
     report *r = job->report;
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    places in = {sf_grid_lattice(p->grid), job->options.up};
     report_begin(r, "voids");
     report_count(r, "traps", h->counts.trap_count);
     report_count(r, "trap_voxels", h->counts.trap_voxels);
@@ -159,7 +159,7 @@ void hollows_report(cli_job *job, const part *p, const hollows *h)
     report_count(r, "small_cups", h->counts.small_cup_count);
     report_begin_list(r, "list");
     for (size_t i = 0; i < h->count; i++) {
-        report_void(r, &lattice, h, &h->voids[i]);
+        report_void(r, &in, h, &h->voids[i]);
     }
     report_end(r);
     report_count(r, "dropped", h->counts.voids_dropped);

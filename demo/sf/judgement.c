@@ -36,13 +36,13 @@ static exit_status price(cli_job *job, const part *p, judgement *j)
     sf_lattice lattice = sf_grid_lattice(p->grid);
     sf_terms terms = part_terms(p);
     double mib = 2.0 * lattice.nx * lattice.ny * lattice.nz / 1048576;
-    size_t places = j->finding_count > 0 ? j->finding_count : 1;
-    j->costs = malloc(places * sizeof *j->costs);
-    j->order = malloc(2 * places * sizeof *j->order);
+    size_t room = j->finding_count > 0 ? j->finding_count : 1;
+    j->costs = malloc(room * sizeof *j->costs);
+    j->order = malloc(2 * room * sizeof *j->order);
     if (j->costs == NULL || j->order == NULL) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the costs.");
     }
-    j->ranks = j->order + places;
+    j->ranks = j->order + room;
     j->priced = mib <= job->options.memory_mib;
     sf_status status = SF_OK;
     if (j->priced) {
@@ -102,19 +102,19 @@ static const char *kind_name(sf_finding_kind kind)
     return kind == SF_FINDING_ISLAND ? "island" : "overhang";
 }
 
-static void report_finding(report *r, const sf_lattice *lattice, const judgement *j, size_t index,
+static void report_finding(report *r, const places *in, const judgement *j, size_t index,
                            uint32_t rank)
 {
     const sf_finding *f = &j->findings[index];
     const sf_finding_cost *cost = &j->costs[index];
     double low[3], high[3];
-    place_of_box(lattice, &f->box, low, high);
+    place_box(in, &f->box, low, high);
     report_begin(r, NULL);
     report_text(r, "kind", kind_name(f->kind));
     report_count(r, "layer", f->layer);
-    report_number(r, "z_mm", sf_lattice_layer_bottom(lattice, f->layer));
+    report_number(r, "height_mm", sf_lattice_layer_bottom(&in->lattice, f->layer));
     report_count(r, "area_voxels", f->area);
-    report_number(r, "area_mm2", (double)f->area * lattice->pitch_x_mm * lattice->pitch_y_mm);
+    report_number(r, "area_mm2", (double)f->area * in->lattice.pitch_x_mm * in->lattice.pitch_y_mm);
     report_count(r, "volume_voxels", f->volume);
     report_numbers(r, "low_mm", low, 3);
     report_numbers(r, "high_mm", high, 3);
@@ -134,15 +134,14 @@ static void report_finding(report *r, const sf_lattice *lattice, const judgement
 }
 
 // The findings, each with its place in the order. ranks[]: that order turned round.
-static void report_findings(report *r, const sf_lattice *lattice, const judgement *j,
-                            uint32_t *ranks)
+static void report_findings(report *r, const places *in, const judgement *j, uint32_t *ranks)
 {
     for (size_t i = 0; i < j->finding_count; i++) {
         ranks[j->order[i]] = (uint32_t)i;
     }
     report_begin_list(r, "findings");
     for (size_t i = 0; i < j->finding_count; i++) {
-        report_finding(r, lattice, j, i, ranks[i]);
+        report_finding(r, in, j, i, ranks[i]);
     }
     report_end(r);
 }
@@ -161,7 +160,7 @@ static void report_groups(report *r, const groups *g)
     report_end(r);
 }
 
-static void report_fields(report *r, const sf_lattice *lattice, const judgement *j)
+static void report_fields(report *r, const places *in, const judgement *j)
 {
     const sf_check_report *c = &j->counts;
     report_count(r, "solid_voxels", c->solid_voxels);
@@ -170,7 +169,7 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
     report_count(r, "island_count", c->island_count);
     report_count(r, "overhang_count", c->overhang_count);
     report_flag(r, "support_free", c->support_free);
-    report_findings(r, lattice, j, j->ranks);
+    report_findings(r, in, j, j->ranks);
     report_count(r, "findings_dropped", c->findings_dropped);
     report_groups(r, &j->groups);
 }
@@ -179,8 +178,7 @@ static void report_fields(report *r, const sf_lattice *lattice, const judgement 
 // Sentences
 // ---------------------------------------------------------------------------------------------
 
-static void say_group(report *r, const sf_lattice *lattice, const groups *g, size_t index,
-                      double voxel_mm3)
+static void say_group(report *r, const places *in, const groups *g, size_t index, double voxel_mm3)
 {
     const sf_finding *f = &g->heads[index];
     uint64_t grow = g->costs[index].grow_voxels;
@@ -190,7 +188,7 @@ static void say_group(report *r, const sf_lattice *lattice, const groups *g, siz
         snprintf(fix, sizeof fix, "; %s below would hold it",
                  describe_mm3((double)grow * voxel_mm3, below));
     }
-    place_words(lattice, &f->box, 1, where);
+    place_words(in, &f->box, 1, where);
     report_say(r, "  %-8s from %s: %s cannot print%s", kind_name(f->kind), where,
                describe_mm3((double)f->volume * voxel_mm3, volume), fix);
 }
@@ -227,7 +225,7 @@ static void say_others(report *r, const groups *g, double voxel_mm3, uint64_t re
 }
 
 // The places that cost most to fix, one by one, and the others in one line.
-static void say_groups(report *r, const sf_lattice *lattice, const judgement *j, double voxel_mm3,
+static void say_groups(report *r, const places *in, const judgement *j, double voxel_mm3,
                        size_t most)
 {
     const sf_check_report *c = &j->counts;
@@ -235,7 +233,7 @@ static void say_groups(report *r, const sf_lattice *lattice, const judgement *j,
     uint64_t said = 0, said_voxels = 0;
     for (size_t i = 0; i < g->count && said < most; i++) {
         if (!groups_is_crumb(g, g->order[i])) {
-            say_group(r, lattice, g, g->order[i], voxel_mm3);
+            say_group(r, in, g, g->order[i], voxel_mm3);
             said_voxels += g->heads[g->order[i]].volume;
             said++;
         }
@@ -294,11 +292,11 @@ void judgement_report(cli_job *job, const part *p, const judgement *j, int is_br
     int is_hollow = j->hollows.counts.trap_count + j->hollows.counts.cup_count > 0;
     size_t most = !is_brief ? 4 : is_hollow ? 1 : 2;
     report *r = job->report;
-    sf_lattice lattice = sf_grid_lattice(p->grid);
-    report_fields(r, &lattice, j);
+    places in = {sf_grid_lattice(p->grid), job->options.up};
+    report_fields(r, &in, j);
     report_number(r, "volume_mm3", describe_volume(p->grid));
     say_verdict(r, j, place_voxel_mm3(p->grid));
-    say_groups(r, &lattice, j, place_voxel_mm3(p->grid), most);
+    say_groups(r, &in, j, place_voxel_mm3(p->grid), most);
     hollows_report(job, p, &j->hollows);
     hollows_say(job, p, &j->hollows, is_brief);
 }

@@ -3,6 +3,7 @@
 
 #include "turned.h"
 
+#include "place.h"
 #include "upright.h"
 
 #include <math.h>
@@ -38,8 +39,7 @@ void turned_to_build(const cli_job *job, const double from[3], double to[3])
 
 void turned_to_input(const cli_job *job, const double from[3], double to[3])
 {
-    sf_transform map = part_to_input(job);
-    turn(&map, from, to);
+    place_point(job->options.up, from, to);
 }
 
 void turned_box(const cli_job *job, const double low[3], const double high[3], double to_low[3],

@@ -12,10 +12,10 @@
 
 #define DEGREES (180 / 3.14159265358979323846)
 
-static void say_steepest(report *r, const sf_lattice *lattice, const sf_steepest *s)
+static void say_steepest(report *r, const places *in, const sf_steepest *s)
 {
     char where[PLACE_WORDS_SIZE];
-    place_words(lattice, &s->box, 0, where);
+    place_words(in, &s->box, 0, where);
     if (!s->is_bounded) {
         report_say(r, "It would print at no angle: even at %.0f degrees something hangs at %s.",
                    s->angle_rad * DEGREES, where);
@@ -31,7 +31,7 @@ static void say_steepest(report *r, const sf_lattice *lattice, const sf_steepest
 static exit_status look_for_steepest(cli_job *job, const part *p)
 {
     report *r = job->report;
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    places in = {sf_grid_lattice(p->grid), job->options.up};
     sf_steepest s;
     double low[3], high[3];
     progress_phase("looking for the steepest overhang");
@@ -39,7 +39,7 @@ static exit_status look_for_steepest(cli_job *job, const part *p)
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "--steepest", EXIT_INPUT);
     }
-    place_of_box(&lattice, &s.box, low, high);
+    place_box(&in, &s.box, low, high);
     if (s.is_bounded) {
         report_number(r, "steepest_deg", s.angle_rad * DEGREES);
     } else {
@@ -51,11 +51,11 @@ static exit_status look_for_steepest(cli_job *job, const part *p)
         report_numbers(r, "high", high, 3);
         report_end(r);
     }
-    say_steepest(r, &lattice, &s);
+    say_steepest(r, &in, &s);
     return EXIT_GOOD;
 }
 
-static void say_printing(report *r, const sf_lattice *lattice, const sf_printing_report *found)
+static void say_printing(report *r, const places *in, const sf_printing_report *found)
 {
     char where[PLACE_WORDS_SIZE];
     double degrees = found->margin_rad * DEGREES;
@@ -66,7 +66,7 @@ static void say_printing(report *r, const sf_lattice *lattice, const sf_printing
     sf_box top = found->piece;
     top.z0 = found->layer;
     top.z1 = found->layer + 1;
-    place_words(lattice, &top, 0, where);
+    place_words(in, &top, 0, where);
     if (found->margin_rad < 0) {
         report_say(r,
                    "It would topple while it is printed, were it not stuck to the bed: after %u "
@@ -86,7 +86,14 @@ static void say_printing(report *r, const sf_lattice *lattice, const sf_printing
     }
 }
 
-static void report_printing(report *r, const sf_lattice *lattice, const sf_printing_report *found,
+static void report_point(report *r, axis up, const char *key, const double at[3])
+{
+    double there[3];
+    place_point(up, at, there);
+    report_numbers(r, key, there, 3);
+}
+
+static void report_printing(report *r, const places *in, const sf_printing_report *found,
                             double *margins)
 {
     double low[3], high[3];
@@ -97,32 +104,32 @@ static void report_printing(report *r, const sf_lattice *lattice, const sf_print
     report_count(r, "floating_pieces", found->floating_count);
     report_count(r, "standing_pieces", found->standing_count);
     if (found->layer != SF_BED_AUTO) {
-        place_of_box(lattice, &found->piece, low, high);
+        place_box(in, &found->piece, low, high);
         report_count(r, "layer", found->layer);
-        report_number(r, "height_mm", sf_lattice_layer_bottom(lattice, found->layer + 1));
+        report_number(r, "height_mm", sf_lattice_layer_bottom(&in->lattice, found->layer + 1));
         report_numbers(r, "low_mm", low, 3);
         report_numbers(r, "high_mm", high, 3);
-        report_numbers(r, "com_mm", found->com_mm, 3);
-        report_numbers(r, "edge_from_mm", found->edge_mm[0], 3);
-        report_numbers(r, "edge_to_mm", found->edge_mm[1], 3);
+        report_point(r, in->up, "com_mm", found->com_mm);
+        report_point(r, in->up, "edge_from_mm", found->edge_mm[0]);
+        report_point(r, in->up, "edge_to_mm", found->edge_mm[1]);
     }
-    for (uint32_t k = 0; k < lattice->nz; k++) {
+    for (uint32_t k = 0; k < in->lattice.nz; k++) {
         margins[k] *= DEGREES;
     }
-    report_numbers(r, "margins_deg", margins, lattice->nz);
+    report_numbers(r, "margins_deg", margins, in->lattice.nz);
     report_end(r);
-    say_printing(r, lattice, found);
+    say_printing(r, in, found);
 }
 
 // Whether it stands after each of its layers; `topples` says so.
 static exit_status look_at_printing(cli_job *job, const part *p, int *topples)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    places in = {sf_grid_lattice(p->grid), job->options.up};
     sf_printing_options options = sf_printing_options_default();
     sf_printing_report found;
     options.bed_layer = p->bed_layer;
-    options.margin_capacity = lattice.nz;
-    options.margins_rad = malloc(lattice.nz * sizeof *options.margins_rad);
+    options.margin_capacity = in.lattice.nz;
+    options.margins_rad = malloc(in.lattice.nz * sizeof *options.margins_rad);
     if (options.margins_rad == NULL) {
         return job_fail_call(job, SF_ERR_MEMORY, NULL, "--printing", EXIT_INPUT);
     }
@@ -130,7 +137,7 @@ static exit_status look_at_printing(cli_job *job, const part *p, int *topples)
     sf_status status = sf_grid_printing(p->grid, &options, NULL, &job->task, &found);
     if (status == SF_OK) {
         *topples = found.margin_rad < 0;
-        report_printing(job->report, &lattice, &found, options.margins_rad);
+        report_printing(job->report, &in, &found, options.margins_rad);
     }
     free(options.margins_rad);
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "--printing", EXIT_INPUT);

@@ -3,6 +3,7 @@
 
 #include "describe.h"
 #include "output.h"
+#include "place.h"
 #include "progress.h"
 #include "values.h"
 #include "verbs.h"
@@ -24,11 +25,24 @@ typedef struct answer {
 // Fields
 // ---------------------------------------------------------------------------------------------
 
-static void report_orientation(report *r, const char *key, const sf_orientation *o)
+// The turn is of the part with --up up; what is said is that of the part as it was read.
+static void report_turn(const cli_job *job, const sf_orientation *o)
 {
+    sf_transform map = upright(job->options.up, 1);
+    double up[3], matrix[9] = {0};
+    place_point(job->options.up, o->up, up);
+    for (int i = 0; i < 27; i++) {
+        matrix[i / 3] += o->turn.matrix[i / 9 * 3 + i % 3] * map.matrix[i % 3 * 3 + i / 3 % 3];
+    }
+    report_numbers(job->report, "up", up, 3);
+    report_numbers(job->report, "matrix", matrix, 9);
+}
+
+static void report_orientation(const cli_job *job, const char *key, const sf_orientation *o)
+{
+    report *r = job->report;
     report_begin(r, key);
-    report_numbers(r, "up", o->up, 3);
-    report_numbers(r, "matrix", o->turn.matrix, 9);
+    report_turn(job, o);
     report_numbers(r, "shift_mm", o->turn.shift_mm, 3);
     report_count(r, "solid_voxels", o->solid_voxels);
     report_count(r, "trimmed_voxels", o->trimmed_voxels);
@@ -56,10 +70,10 @@ static void report_fields(cli_job *job, const sf_lattice *lattice, const answer 
         report_number(r, "angle_deg", values_angle_deg(asked));
     }
     report_end(r);
-    report_orientation(r, "given", &a->given);
+    report_orientation(job, "given", &a->given);
     report_begin_list(r, "orientations");
     for (size_t i = 0; i < a->count; i++) {
-        report_orientation(r, NULL, &a->best[i]);
+        report_orientation(job, NULL, &a->best[i]);
     }
     report_end(r);
 }
@@ -124,10 +138,12 @@ static void say(cli_job *job, const answer *a)
     char words[256], up[64], turned[32];
     describe(&a->given, words, sizeof words);
     report_say(r, "%s, as it is: %s.", job->options.input, words);
+    double there[3];
+    place_point(job->options.up, best->up, there);
     if (best->up[2] == 1) {
         report_say(r, "No way up is better.");
     } else {
-        name_direction(best->up, up, sizeof up);
+        name_direction(there, up, sizeof up);
         describe(best, words, sizeof words);
         describe_degrees(acos(fmax(-1, fmin(1, best->up[2]))), turned);
         report_say(r, "Best: turn it by %s so that its %s points up; %s.", turned, up,
@@ -135,7 +151,8 @@ static void say(cli_job *job, const answer *a)
         report_say(r, "Then %s.", words);
     }
     for (size_t i = 1; i < a->count; i++) {
-        name_direction(a->best[i].up, up, sizeof up);
+        place_point(job->options.up, a->best[i].up, there);
+        name_direction(there, up, sizeof up);
         describe(&a->best[i], words, sizeof words);
         report_say(r, "  %zu. %s up: %s", i + 1, up, words);
     }

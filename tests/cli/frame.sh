@@ -44,4 +44,61 @@ same "$(value lattice.nz) $(value bed_layer)" "$((nz + 2)) 0" "a bed two layers 
 ok $? "leaves all of it in the air"
 run trim part.obj --pitch 4 --bed 8 --json
 same "$(value bed_layer)" 2 "a bed within the part"
+
+# Places are named in the axes of the file, whichever of them points up. A column with an arm that
+# hangs, a pillar beside it that leans over, and a cavity; turned, so that something else is up.
+# turn UP: lines of three numbers, as they would stand in a file of which UP points up.
+turn() {
+    awk -v up="$1" -v OFMT=%.15g '{ x = $1; y = $2; z = $3 }
+        up == "+z" { print x, y, z } up == "-z" { print x, -y + 0, -z + 0 }
+        up == "+x" { print z, y, -x + 0 } up == "-x" { print -z + 0, y, x }
+        up == "+y" { print x, z, -y + 0 } up == "-y" { print x, -z + 0, y }'
+}
+# sorted LOW HIGH: two corners, the lower numbers first.
+sorted() {
+    echo "$1 $2" | awk -v OFMT=%.15g '{ for (i = 1; i <= 3; i++) { l[i] = $i < $(i + 3) ? $i : $(i + 3); h[i] = $i + $(i + 3) - l[i] }
+        print l[1], l[2], l[3], h[1], h[2], h[3] }'
+}
+triple() { echo "$(value "$1.0") $(value "$1.1") $(value "$1.2")"; }
+# places: the report's places, a line each, in the axes of the file.
+places() {
+    $wrapper "$SF" check turned.obj --up "$1" --pitch 1 --printing --steepest --json >stdout 2>stderr
+    for box in findings.0.:low_mm:high_mm voids.list.0.:low_mm:high_mm steepest_box_mm.:low:high printing.:low_mm:high_mm; do
+        echo "$box $(sorted "$(triple "${box%%:*}$(echo "$box" | cut -d: -f2)")" "$(triple "${box%%:*}${box##*:}")")"
+    done
+    echo "com $(triple printing.com_mm)"
+    echo "height $(value findings.0.height_mm)"
+    $wrapper "$SF" hollow turned.obj --up "$1" --pitch 1 --wall 2 --drain 3 --json >stdout 2>stderr
+    echo "hollow $(triple com_mm) $(triple com_before_mm)"
+    echo "hole $(triple drains.0.from_mm) $(triple drains.0.to_mm)"
+}
+{ box base.obj 3 0 2 15 14 26; box arm.obj 15 4 18 35 10 24; cat base.obj; sed '/^f/d' arm.obj
+  awk '/^f/ { print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8 }' arm.obj
+  box room.obj 6 3 8 12 11 20; sed '/^f/d' room.obj; awk '/^f/ { print "f", $5 + 16, $4 + 16, $3 + 16, $2 + 16 }' room.obj; } >upright.obj
+cp upright.obj turned.obj
+places +z >upright
+grep -q '[1-9]' upright && ! grep -q null upright
+ok $? "there are places to name"
+for up in +x -x +y -y -z; do
+    { sed -n 's/^v //p' upright.obj | turn $up | sed 's/^/v /'; grep '^f' upright.obj; } >turned.obj
+    places $up >found
+    while read -r name numbers; do
+        # shellcheck disable=SC2086
+        set -- $numbers
+        case $name in
+        *:*) expected=$(sorted "$(echo "$1 $2 $3" | turn $up)" "$(echo "$4 $5 $6" | turn $up)") ;;
+        com) expected=$(echo "$1 $2 $3" | turn $up) ;;
+        height) expected=$1 ;;
+        *) expected="$(echo "$1 $2 $3" | turn $up) $(echo "$4 $5 $6" | turn $up)" ;;
+        esac
+        got=$(grep "^$name " found | cut -d' ' -f2-)
+        echo "$got $expected" | awk '{ n = NF / 2; for (i = 1; i <= n; i++) if (($i - $(n + i)) ^ 2 > 1e-12) exit 1 }'
+        ok $? "with $up up $name is $got"
+    done <upright
+done
+run check turned.obj --up -z --pitch 1
+grep -q 'overhang from z = *-18.00 mm, x [0-9.]* to [0-9.]*, y -' stdout
+ok $? "sentences begin with the height, and name the file's axes: $(sed -n 3p stdout)"
+run orient turned.obj --up -z --resolution 24 --json
+same "$(triple given.up) $(value given.matrix.8)" "0 0 -1 -1" "directions are in the file's axes too"
 finish
