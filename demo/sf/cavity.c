@@ -66,7 +66,7 @@ static sf_status add_inside_wall(cli_job *job, const part *p, double wall_mm, sf
     return status;
 }
 
-static exit_status find_wall(cli_job *job, const part *p, cavity *c)
+static exit_status find_wall(cli_job *job, const part *p, const densities *d, cavity *c)
 {
     sf_lattice lattice = sf_grid_lattice(p->grid);
     double wall_mm = job->options.wall_mm;
@@ -83,6 +83,9 @@ static exit_status find_wall(cli_job *job, const part *p, cavity *c)
         return job_fail(job, EXIT_USAGE,
                         "--wall %g is more than 253 voxels of %g mm; take a coarser --pitch.",
                         wall_mm, fmin(lattice.pitch_x_mm, lattice.pitch_y_mm));
+    }
+    if (status == SF_OK) {
+        status = densities_keep(d, c->wall);
     }
     c->wall_voxels = sf_grid_popcount(c->wall);
     return status == SF_OK ? EXIT_GOOD : fail(job, status, "the wall");
@@ -232,7 +235,7 @@ exit_status cavity_make(cli_job *job, const part *p, const masks *m, const densi
         status = look_at_mesh(job, p, c);
     }
     if (status == EXIT_GOOD) {
-        status = find_wall(job, p, c);
+        status = find_wall(job, p, d, c);
     }
     if (status == EXIT_GOOD) {
         status = carve(job, p, &terms, c);

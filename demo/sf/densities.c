@@ -2,13 +2,18 @@
 // What 1 mm3 of the part weighs: one number, or a file that says more.
 //
 // The file is JSON (docs/density.schema.json): a density, the share of it that infill leaves beyond
-// a printed wall, and regions, each a box or a mesh with a density of its own. Regions lie where
-// the part lies in its file: they are turned and sized by the very map that the part was.
+// a printed wall, regions, each a box or a mesh with a density of its own, and masses in points. A
+// region that is denser than the part is a thing, a weight or a magnet, and is not carved away
+// unless it says that it may be. Boxes are in the axes
+// of the input and in mm of the part as it is printed, as all places are; a mesh lies where the
+// part lies in its file, and is turned and sized by the very map that the part was.
 
 #include "densities.h"
 
+#include "extent.h"
 #include "json_read.h"
 #include "progress.h"
+#include "turned.h"
 
 #include <errno.h>
 #include <math.h>
@@ -28,6 +33,7 @@ static exit_status fail(cli_job *job, exit_status status, const char *what)
 #ifdef SF_HAVE_JANSSON
 
 #define REGIONS_MAX 1024
+#define MASSES_MAX 1024
 
 // What the file says, in build axes.
 typedef struct plan {
@@ -35,26 +41,16 @@ typedef struct plan {
     double wall_mm;
     sf_density_region regions[REGIONS_MAX];
     sf_mesh *meshes[REGIONS_MAX]; // of regions that have one
+    int keep[REGIONS_MAX];        // 1: must stay, 0: may go, -1: as its density says
+    sf_ballast masses[MASSES_MAX];
+    size_t mass_count;
 } plan;
 
-static const char *const keys[] = {"format", "version", "density", "infill", "wall_mm", "regions"};
-static const char *const region_keys[] = {"density", "box", "mesh"};
+static const char *const keys[] = {"format",  "version", "density", "infill",
+                                   "wall_mm", "regions", "masses"};
+static const char *const region_keys[] = {"density", "box", "mesh", "keep"};
+static const char *const mass_keys[] = {"mass", "at_mm"};
 static const char *const box_keys[] = {"low", "high"};
-
-// A box stays one: the map only swaps and turns axes around, and scales.
-static void map_box(const sf_transform *map, const double a[3], const double b[3],
-                    sf_density_region *region)
-{
-    for (int i = 0; i < 3; i++) {
-        double u = map->shift_mm[i], v = u;
-        for (int j = 0; j < 3; j++) {
-            u += map->matrix[3 * i + j] * a[j];
-            v += map->matrix[3 * i + j] * b[j];
-        }
-        region->low_mm[i] = fmin(u, v);
-        region->high_mm[i] = fmax(u, v);
-    }
-}
 
 static exit_status read_mesh(cli_job *job, const part *p, const char *path, plan *made, size_t i)
 {
@@ -76,14 +72,18 @@ static exit_status read_region(cli_job *job, const part *p, const json_t *object
     sf_density_region *region = &made->regions[i];
     const json_t *box = json_object_get(object, "box"), *mesh = json_object_get(object, "mesh");
     double a[3], b[3];
-    if (!json_has_only(object, region_keys, 3) || (box == NULL) == (mesh == NULL) ||
+    if (!json_has_only(object, region_keys, 4) || (box == NULL) == (mesh == NULL) ||
         (mesh != NULL && !json_is_string(mesh))) {
         return fail(job, EXIT_INPUT,
-                    "each region has a density, and a box or else a mesh, which is a path; and "
-                    "nothing else.");
+                    "each region has a density, and a box or else a mesh, which is a path; it may "
+                    "have a keep, and nothing else.");
     }
     if (!json_get_number(object, "density", &region->density) || !(region->density > 0)) {
         return fail(job, EXIT_INPUT, "each region needs a density above 0.");
+    }
+    made->keep[i] = -1;
+    if (json_object_get(object, "keep") != NULL && !json_get_flag(object, "keep", &made->keep[i])) {
+        return fail(job, EXIT_INPUT, "the keep of a region is true or false.");
     }
     if (mesh != NULL) {
         return read_mesh(job, p, json_string_value(mesh), made, i);
@@ -92,7 +92,28 @@ static exit_status read_region(cli_job *job, const part *p, const json_t *object
         !json_get_triple(box, "low", a) || !json_get_triple(box, "high", b)) {
         return fail(job, EXIT_INPUT, "a box has two corners, low and high, of three numbers.");
     }
-    map_box(&p->to_build, a, b, region);
+    turned_box(job, a, b, region->low_mm, region->high_mm);
+    return EXIT_GOOD;
+}
+
+static exit_status read_masses(cli_job *job, const json_t *masses, plan *made)
+{
+    if (masses != NULL && (!json_is_array(masses) || json_array_size(masses) > MASSES_MAX)) {
+        return fail(job, EXIT_INPUT, "masses is a list of at most 1024.");
+    }
+    made->mass_count = json_array_size(masses);
+    for (size_t i = 0; i < made->mass_count; i++) {
+        const json_t *object = json_array_get(masses, i);
+        sf_ballast *mass = &made->masses[i];
+        if (!json_has_only(object, mass_keys, 2) || json_object_size(object) != 2 ||
+            !json_get_number(object, "mass", &mass->mass) || !(mass->mass > 0) ||
+            !json_get_triple(object, "at_mm", mass->at_mm)) {
+            return fail(job, EXIT_INPUT,
+                        "each of masses has a mass above 0 and at_mm, three numbers, and nothing "
+                        "else.");
+        }
+        turned_to_build(job, mass->at_mm, mass->at_mm);
+    }
     return EXIT_GOOD;
 }
 
@@ -107,8 +128,8 @@ static exit_status read_plan(cli_job *job, const part *p, const json_t *root, pl
     }
     if (!json_has_only(root, keys, sizeof keys / sizeof keys[0])) {
         return fail(job, EXIT_INPUT,
-                    "beside format and version there may be density, infill, wall_mm and regions, "
-                    "and nothing else.");
+                    "beside format and version there may be density, infill, wall_mm, regions and "
+                    "masses, and nothing else.");
     }
     if (!json_get_number(root, "density", &made->options.density) ||
         !json_get_number(root, "infill", &made->options.infill) ||
@@ -127,7 +148,7 @@ static exit_status read_plan(cli_job *job, const part *p, const json_t *root, pl
     for (size_t i = 0; status == EXIT_GOOD && i < made->options.region_count; i++) {
         status = read_region(job, p, json_array_get(regions, i), made, i);
     }
-    return status;
+    return status == EXIT_GOOD ? read_masses(job, json_object_get(root, "masses"), made) : status;
 }
 
 static sf_status fill(cli_job *job, const part *p, plan *made, float *each)
@@ -149,10 +170,35 @@ static sf_status fill(cli_job *job, const part *p, plan *made, float *each)
     return status;
 }
 
+// The same regions once more: 2 where the last one that holds a voxel must stay, 1 elsewhere.
+static sf_status fill_kept(cli_job *job, const part *p, plan *made, float *kept)
+{
+    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_density_options options = sf_density_options_default();
+    for (size_t i = 0; i < made->options.region_count; i++) {
+        double density = made->regions[i].density;
+        int stays = made->keep[i] < 0 ? density > made->options.density : made->keep[i];
+        made->regions[i].density = stays ? 2 : 1;
+    }
+    options.regions = made->regions;
+    options.region_count = made->options.region_count;
+    return sf_lattice_density(&lattice, &options, NULL, &job->task, kept);
+}
+
+static int any_stays(const plan *made)
+{
+    int any = 0;
+    for (size_t i = 0; i < made->options.region_count; i++) {
+        any |= made->keep[i] < 0 ? made->regions[i].density > made->options.density : made->keep[i];
+    }
+    return any;
+}
+
 // A region beside the part does nothing, and is likely one in other numbers than the file's.
 static void warn_of_air(cli_job *job, const part *p, const plan *made)
 {
     sf_lattice l = sf_grid_lattice(p->grid);
+    char words[EXTENT_WORDS_SIZE];
     const double *low = l.origin_mm;
     const double high[3] = {low[0] + l.nx * l.pitch_x_mm, low[1] + l.ny * l.pitch_y_mm,
                             sf_lattice_layer_bottom(&l, l.nz)};
@@ -169,11 +215,11 @@ static void warn_of_air(cli_job *job, const part *p, const plan *made)
             meets = meets && from[n] < high[n] && to[n] > low[n];
         }
         if (!meets) {
+            extent_words(job, p, words);
             job_warn(job,
-                     "--density %.300s: region %zu lies beside the part and does nothing; its "
-                     "places are those of the part's file, before --up, --units, --scale and "
-                     "--size.",
-                     job->options.density, i + 1);
+                     "--density %.300s: region %zu lies beside the part, which spans %s, and does "
+                     "nothing.",
+                     job->options.density, i + 1, words);
         }
     }
 }
@@ -181,13 +227,22 @@ static void warn_of_air(cli_job *job, const part *p, const plan *made)
 static exit_status apply(cli_job *job, const part *p, plan *made, densities *d)
 {
     sf_lattice l = sf_grid_lattice(p->grid);
-    d->each = malloc((size_t)l.nx * l.ny * l.nz * sizeof *d->each);
-    if (d->each == NULL) {
+    size_t voxels = (size_t)l.nx * l.ny * l.nz;
+    int stays = any_stays(made);
+    d->each = malloc(voxels * sizeof *d->each);
+    d->kept = stays ? malloc(voxels * sizeof *d->kept) : NULL;
+    d->masses = malloc((made->mass_count + 1) * sizeof *d->masses);
+    if (d->each == NULL || d->masses == NULL || (stays && d->kept == NULL)) {
         return fail(job, EXIT_RESOURCE, "there is no memory for a number for each voxel.");
     }
+    memcpy(d->masses, made->masses, made->mass_count * sizeof *d->masses);
+    d->mass_count = made->mass_count;
     warn_of_air(job, p, made);
     progress_phase("weighing");
     sf_status status = fill(job, p, made, d->each);
+    if (status == SF_OK && stays) {
+        status = fill_kept(job, p, made, d->kept);
+    }
     return status == SF_OK ? EXIT_GOOD
                            : job_fail_call(job, status, NULL, job->options.density, EXIT_INPUT);
 }
@@ -233,8 +288,8 @@ exit_status densities_read(cli_job *job, const part *p, densities *d)
 {
     const char *text = job->options.density;
     char *end;
+    memset(d, 0, sizeof *d);
     d->all = 1;
-    d->each = NULL;
     if (text == NULL) {
         return EXIT_GOOD;
     }
@@ -258,11 +313,28 @@ exit_status densities_weigh(cli_job *job, const densities *d, const sf_grid *gri
         return job_fail_call(job, status, NULL, "the weight", EXIT_INPUT);
     }
     *body = sf_body_add(none, d->each != NULL ? 1 : d->all, found);
+    *body = sf_body_add(*body, 1, sf_ballast_body(d->masses, d->mass_count));
     return EXIT_GOOD;
 }
 
 void densities_release(densities *d)
 {
     free(d->each);
-    d->each = NULL;
+    free(d->kept);
+    free(d->masses);
+    memset(d, 0, sizeof *d);
+}
+
+sf_status densities_keep(const densities *d, sf_grid *wall)
+{
+    sf_lattice l = sf_grid_lattice(wall);
+    sf_status status = SF_OK;
+    for (size_t i = 0; d->kept != NULL && status == SF_OK && i < (size_t)l.nx * l.ny * l.nz; i++) {
+        if (d->kept[i] > 1) {
+            size_t row = i / l.nx;
+            status = sf_slice_set(sf_grid_slice(wall, (uint32_t)(row / l.ny)), (uint32_t)(i % l.nx),
+                                  (uint32_t)(row % l.ny), 1);
+        }
+    }
+    return status;
 }

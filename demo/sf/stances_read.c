@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a model is to rest on: by options, or a file with several stances.
 //
-// Options speak in the axes and the unit of the input, a file in its axes and millimetres of the
-// part as it is printed; either is turned to build axes here. Feet of models are seldom flat to a
+// Options and a file speak alike: in the axes of the input, in millimetres of the part as it is
+// printed; both are turned to build axes here. Feet of models are seldom flat to a
 // millionth of their size, so what is within a hundredth of the height from the ground stands on
 // it, and is put onto it; but not where the outside is to stay as it is.
 
@@ -46,19 +46,14 @@ static sf_stance_options begin(const cli_job *job, const part *p, const double u
 static void from_options(const cli_job *job, const part *p, axis up, stances *s)
 {
     const stand_values *asked = &job->options.stand;
-    double direction[3], low[3], high[3], point[3], unit = turned_unit(p);
+    double direction[3];
     turned_axis(up, direction);
     s->count = 1;
     s->each[0] = begin(job, p, direction);
-    for (int i = 0; i < 3; i++) {
-        low[i] = asked->low[i] * unit;
-        high[i] = asked->high[i] * unit;
-        point[i] = asked->point[i] * unit;
-    }
-    turned_box(job, low, high, s->each[0].region_low_mm, s->each[0].region_high_mm);
+    turned_box(job, asked->low, asked->high, s->each[0].region_low_mm, s->each[0].region_high_mm);
     if (job->options.given & OPTION_SUSPEND) {
         s->each[0].kind = SF_STANCE_HANG;
-        turned_to_build(job, point, s->each[0].point_mm);
+        turned_to_build(job, asked->point, s->each[0].point_mm);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "describe.h"
 #include "halves.h"
 #include "progress.h"
+#include "stances_check.h"
 #include "stand_drill.h"
 
 #include <math.h>
@@ -116,17 +117,25 @@ static size_t voxel_of(double at, double origin, double pitch, uint32_t count)
     return v > 0 ? (v < count ? (size_t)v : count - 1) : 0;
 }
 
-static double density_at(void *user, const double p[3])
+static size_t voxel_at(const model *m, const double p[3])
 {
-    const model *m = user;
     const sf_lattice *l = &m->lattice;
-    if (m->densities.each == NULL) {
-        return m->densities.all;
-    }
     size_t x = voxel_of(p[0], l->origin_mm[0], l->pitch_x_mm, l->nx);
     size_t y = voxel_of(p[1], l->origin_mm[1], l->pitch_y_mm, l->ny);
     size_t k = voxel_of(p[2], l->origin_mm[2], l->layer_mm, l->nz);
-    return m->densities.each[(k * l->ny + y) * l->nx + x];
+    return (k * l->ny + y) * l->nx + x;
+}
+
+static double density_at(void *user, const double p[3])
+{
+    const model *m = user;
+    return m->densities.each != NULL ? m->densities.each[voxel_at(m, p)] : m->densities.all;
+}
+
+static int is_kept_at(void *user, const double p[3])
+{
+    const model *m = user;
+    return m->densities.kept[voxel_at(m, p)] > 1;
 }
 
 static exit_status choose(cli_job *job, model *m)
@@ -152,67 +161,13 @@ static exit_status choose(cli_job *job, model *m)
         o->density = density_at;
         o->density_user = m;
     }
+    if (m->densities.kept != NULL) {
+        o->keep = is_kept_at;
+        o->keep_user = m;
+    }
+    o->ballast = m->densities.masses;
+    o->ballast_count = m->densities.mass_count;
     return asked->min_feature_mm > 0 ? change_width(job, &m->part, &o->strut_width_vx) : EXIT_GOOD;
-}
-
-// ---------------------------------------------------------------------------------------------
-// Strings
-// ---------------------------------------------------------------------------------------------
-
-// How far a place lies from the surface: one voxel around it is small enough to be a point.
-static sf_status measure_gap(cli_job *job, const model *m, const double at[3], double *gap)
-{
-    double edge = 1e-6 * m->size_mm;
-    sf_lattice one = {1, 1, 1, edge, edge, edge, NULL, {at[0], at[1], at[2]}};
-    sf_grid *grid = NULL;
-    sf_status status = sf_grid_create(&one, NULL, &grid);
-    if (status == SF_OK) {
-        status = sf_slice_set(sf_grid_slice(grid, 0), 0, 0, 1);
-    }
-    if (status == SF_OK) {
-        status = sf_grid_clearance(grid, sf_mesh_get_view(m->part.mesh), NULL, &job->task, gap);
-    }
-    sf_grid_destroy(grid);
-    return status;
-}
-
-static int is_inside(const model *m, const double at[3])
-{
-    const sf_lattice *l = &m->lattice;
-    const double edge[3] = {l->pitch_x_mm, l->pitch_y_mm, l->layer_mm};
-    const uint32_t count[3] = {l->nx, l->ny, l->nz};
-    uint32_t voxel[3];
-    for (int i = 0; i < 3; i++) {
-        double v = floor((at[i] - l->origin_mm[i]) / edge[i]);
-        if (!(v >= 0 && v < count[i])) {
-            return 0;
-        }
-        voxel[i] = (uint32_t)v;
-    }
-    return sf_slice_get(sf_grid_slice(m->part.grid, voxel[2]), voxel[0], voxel[1]);
-}
-
-// A string is tied to the model; a slip of a unit or an axis ties it to the air.
-static exit_status check_strings(cli_job *job, const model *m)
-{
-    for (size_t i = 0; i < m->stances.count; i++) {
-        const sf_stance_options *s = &m->stances.each[i];
-        double gap = 0;
-        if (s->kind != SF_STANCE_HANG || is_inside(m, s->point_mm)) {
-            continue;
-        }
-        sf_status status = measure_gap(job, m, s->point_mm, &gap);
-        if (status != SF_OK) {
-            return job_fail_call(job, status, NULL, "the point it hangs from", EXIT_INPUT);
-        }
-        if (gap > m->lattice.pitch_x_mm) {
-            return job_fail(job, EXIT_INPUT,
-                            "The point that it is to hang from lies %.3g mm outside of the model; "
-                            "give one on its surface.",
-                            gap);
-        }
-    }
-    return EXIT_GOOD;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -326,7 +281,7 @@ exit_status model_run(cli_job *job, model *m)
 {
     exit_status status = stances_read(job, &m->part, m->up, &m->stances);
     if (status == EXIT_GOOD) {
-        status = check_strings(job, m);
+        status = stances_check(job, &m->part, &m->stances);
     }
     if (status == EXIT_GOOD) {
         status = handles_read(job, &m->part, &m->stances, &m->handles);

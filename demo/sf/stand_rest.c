@@ -14,7 +14,11 @@ static sf_status weigh(cli_job *job, const model *m, double com[3])
     sf_status status = m->densities.each != NULL
                            ? sf_grid_body(m->part.grid, m->densities.each, &job->task, &body)
                            : sf_mesh_body(sf_mesh_get_view(m->part.mesh), m->densities.all, &body);
-    return status == SF_OK ? sf_body_com(body, com) : status;
+    if (status == SF_OK) {
+        body = sf_body_add(body, 1, sf_ballast_body(m->densities.masses, m->densities.mass_count));
+        status = sf_body_com(body, com);
+    }
+    return status;
 }
 
 static void say(const cli_job *job, const model *m, const double com[3], const sf_rest *rest)

@@ -12,8 +12,8 @@ typedef enum axis { AXIS_X, AXIS_MINUS_X, AXIS_Y, AXIS_MINUS_Y, AXIS_Z, AXIS_MIN
 typedef struct stand_values {
     axis build;             // where --build was given
     double gamma_rad;       // tilt that it must stand
-    double low[3], high[3]; // where contacts can be: axes and unit of the input
-    double point[3];        // that it hangs from: axes and unit of the input
+    double low[3], high[3]; // where contacts can be: axes of the input, mm as printed
+    double point[3];        // that it hangs from: the same
     const char *stances;    // a file, or NULL
     const char *handles;    // a file, or NULL
     uint32_t handle_count;  // to place by themselves, where there is no file

@@ -53,12 +53,3 @@ void turned_box(const cli_job *job, const double low[3], const double high[3], d
         to_high[i] = fmax(a[i], b[i]);
     }
 }
-
-double turned_unit(const part *p)
-{
-    double sum = 0;
-    for (int j = 0; j < 3; j++) {
-        sum += fabs(p->to_build.matrix[j]);
-    }
-    return sum;
-}

@@ -20,7 +20,4 @@ void turned_to_input(const cli_job *job, const double from[3], double to[3]);
 void turned_box(const cli_job *job, const double low[3], const double high[3], double to_low[3],
                 double to_high[3]);
 
-// Millimetres in one unit of the input, size and scale included.
-double turned_unit(const part *p);
-
 #endif

@@ -112,8 +112,9 @@ static exit_status hollow(cli_job *job, const part *p)
 {
     masks m;
     cavity c;
-    densities d = {1, NULL};
+    densities d;
     memset(&c, 0, sizeof c);
+    memset(&d, 0, sizeof d);
     exit_status status = masks_read(job, p, &m);
     if (status == EXIT_GOOD) {
         status = densities_read(job, p, &d);

@@ -47,7 +47,8 @@ MORE = {
                 {"ray": {"from_mm": [-9, 6, 30], "direction": [1, 0, 0]}, "radius_mm": 1, "kind": "ball"}],
     "density": {"density": 2, "infill": 0.5, "wall_mm": 1,
                 "regions": [{"density": 3, "box": {"low": [0, 0, 0], "high": [9, 9, 9]}},
-                            {"density": 1, "mesh": "column.obj"}]},
+                            {"density": 1, "mesh": "column.obj", "keep": True}],
+                "masses": [{"mass": 0.5, "at_mm": [14, 6, 10]}]},
     "materials": {"materials": [{"name": "a", "colour": "#00fF7a", "density_g_cm3": 1.5}, {"name": "b"}, {"name": "c"}],
                   "properties": ["stiffness"],
                   "mixtures": [{"fractions": [1, 0, 0], "values": [0]}, {"fractions": [0, 1, 0], "values": [0.5]},
@@ -80,7 +81,10 @@ WRONG = {
                 {"regions": [{"box": {"low": [0, 0, 0], "high": [9, 9, 9]}}]},
                 {"regions": [{"density": 0, "box": {"low": [0, 0, 0], "high": [9, 9, 9]}}]},
                 {"regions": [{"density": 1, "box": {"low": [0, 0, 0], "high": [9, 9, 9]}, "mesh": "column.obj"}]},
-                {"regions": [{"density": 1, "box": {"low": [0, 0], "high": [9, 9, 9]}}]}],
+                {"regions": [{"density": 1, "box": {"low": [0, 0], "high": [9, 9, 9]}}]},
+                {"regions": [{"density": 1, "box": {"low": [0, 0, 0], "high": [9, 9, 9]}, "keep": 1}]},
+                {"masses": {}}, {"masses": [{"mass": 1}]}, {"masses": [{"mass": 0, "at_mm": [0, 0, 0]}]},
+                {"masses": [{"mass": 1, "at_mm": [0, 0]}]}],
 }
 count = failures = 0
 

@@ -254,8 +254,11 @@ run stand bench.obj --no-carve --no-deform --contacts 'x>12.5' --json
 same "$exit $(value support_polygon_mm.0.0) $(value support_polygon_mm.2.0)" "1 16 20" "with --contacts on one of them, and falls"
 run stand bench.obj --no-carve --no-deform --contacts 'x>0.5,x<0.6' --json
 same "$exit" 3 "where nothing can touch the ground it has no stance"
-run stand bench.obj --units cm --no-carve --no-deform --contacts 'x<12.5' --json
-same "$(value support_polygon_mm.1.0)" 40 "numbers of --contacts are in the input's unit"
+run stand bench.obj --units cm --no-carve --no-deform --contacts 'x<125' --json
+same "$(value support_polygon_mm.1.0)" 40 "numbers of --contacts are in mm of the part as it is printed"
+exits 3 stand bench.obj --units cm --no-carve --no-deform --contacts 'x>400' --json
+grep -q 'the model spans x 0 to 200, y 0 to 100, z 0 to 140 mm' stderr
+ok $? "and who asks beside it is told where it lies: $(cat stderr)"
 
 # Hanging: straight below the point is the centre of mass, which the point is over, or not.
 box block.obj 0 0 0 40 30 20
@@ -267,7 +270,9 @@ near "$(value margin_deg)" -45 1e-9 "hung 10 mm beside it, it turns by 45 degree
 exits 3 stand block.obj --suspend 20,15,40
 grep -q 'lies 20 mm outside of the model' stderr
 ok $? "tied to the air it does not hang: $(cat stderr)"
-exits 3 stand block.obj --suspend 200,150,200 --units cm --no-deform # a slip of the unit
+exits 3 stand block.obj --suspend 50000,15,20 --units m --no-deform # a slip of the unit
+grep -q 'which spans x 0 to 4e+04, y 0 to 3e+04, z 0 to 2e+04 mm' stderr
+ok $? "and is told where the model lies: $(cat stderr)"
 exits 0 stand block.obj --suspend 20,15,12 --resolution 32 --no-deform
 
 # Rest: a block on its edge falls onto a side, and a slab put on its narrow side stays there.
@@ -332,6 +337,22 @@ near "$(value margin_before_deg)" 63.4349 1e-3 "and so is the margin at first" #
 exits 0 stand block.obj --rest --density density.json --json
 near "$(value rest.height_mm)" 7.5 1e-6 "also where it rests"
 
+# A dense region is a thing that is put there: it stays, unless it says that it may go. A mass in a
+# point counts, and is no matter.
+magnet='"box": {"low": [12, 10, 4], "high": [28, 20, 12]}, "density": 5'
+echo "{\"format\": \"libsf-density\", \"version\": 1, \"regions\": [{$magnet}]}" >magnet.json
+echo "{\"format\": \"libsf-density\", \"version\": 1, \"regions\": [{$magnet, \"keep\": false}]}" >goes.json
+exits 0 hollow block.obj --pitch 1 --wall 2 --density magnet.json -o stays --json
+carved=$(value carved_mm3)
+exits 0 hollow block.obj --pitch 1 --wall 2 --density goes.json -o went --json
+near "$(awk -v a="$(value carved_mm3)" -v b="$carved" 'BEGIN { print (a - b >= 600 && a - b <= 1800) }')" 1 0 "a magnet is not carved away ($carved mm3), unless it may be ($(value carved_mm3) mm3)"
+echo '{"format": "libsf-density", "version": 1, "masses": [{"mass": 24000, "at_mm": [20, 15, 2]}]}' >mass.json
+exits 0 stand block.obj --resolution 40 --no-carve --no-deform --density mass.json --json
+near "$(value com_mm.2)" 6 1e-6 "a mass in a point draws the centre of mass towards it"
+near "$(value mass)" 48000 1e-3 "and weighs what it weighs"
+exits 0 stand block.obj --rest --density mass.json --json
+near "$(value rest.height_mm)" 6 1e-6 "also where it rests"
+
 # Holes are weighed with what is drilled out: a file that says 2 everywhere is the number 2, and
 # where the floor weighs three times as much its holes do.
 exits 0 stand tower.obj --wall 1 --resolution 40 --density 2 --drain 2 --json
@@ -345,6 +366,11 @@ echo '{"format": "libsf-density", "version": 1, "regions": [{"box": {"low": [-99
 exits 0 stand light.obj --wall 2 --gamma 0 --no-deform --resolution 40 --density floor.json --drain 2 --json
 near "$(value drained.mass)" "$(awk -v v="$(value drained.volume_mm3)" 'BEGIN { print 3 * v }')" 1e-6 "holes through a heavy floor weigh that ($(value drained.volume_mm3) mm3)"
 near "$(value drained.holes.0.mass)" "$(awk -v v="$(value drained.holes.0.volume_mm3)" 'BEGIN { print 3 * v }')" 1e-6 "each of them"
+for keep in true false; do
+    echo '{"format": "libsf-density", "version": 1, "regions": [{"density": 1, "keep": '$keep', "box": {"low": [-99, -99, -99], "high": [99, 99, 99]}}]}' >all.json
+    run stand light.obj --wall 2 --gamma 0 --no-deform --resolution 40 --density all.json --json
+    same "$exit $(awk -v v="$(value carved_mm3)" 'BEGIN { print v > 0 }')" "$([ $keep = true ] && echo 1 0 || echo 0 1)" "where keep is $keep what stands is carved as it may be"
+done
 
 # A number says how heavy all of it is, and takes no longer; one that voxels cannot hold is refused.
 exits 0 stand tower.obj --wall 1 --resolution 40 --density 2 --json

@@ -123,6 +123,11 @@ void sfi_carved_free(const sf_stand *stand, sfi_carved *carved);
 sf_status sfi_stand_weigh(const sf_stand *stand, const sf_pose *poses, const sf_grid *solid,
                           sf_task *task, float **density, size_t *count);
 
+// Add to a wall the voxels of the solid that options.keep names, followed back like those that are
+// weighed.
+sf_status sfi_stand_keep(const sf_stand *stand, const sf_pose *poses, const sf_grid *solid,
+                         sf_task *task, sf_grid *wall);
+
 // Add to a body what the voxels of a grid weigh more or less than 1; `density` as from
 // sfi_stand_weigh().
 sf_status sfi_stand_weigh_more(const sf_grid *grid, const float *density, sf_body *body);

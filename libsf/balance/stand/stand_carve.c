@@ -132,6 +132,7 @@ static sf_status carve(carving *c, sf_stance *const *stances, sf_carve_goal goal
     sf_carve_options options = sf_carve_options_default();
     sf_body mesh, voxels;
     SF_TRY(sf_grid_wall(c->made.solid, c->outside, s->options.wall_mm, a, c->task, c->wall));
+    SF_TRY(sfi_stand_keep(s, c->poses, c->made.solid, c->task, c->wall));
     SF_TRY(sf_mesh_body(c->outside, 1, &mesh));
     SF_TRY(sf_grid_body(c->made.solid, NULL, NULL, &voxels));
     terms.rule = c->rule;

@@ -36,6 +36,7 @@ typedef struct batch {
     float *density;      // of all voxels, as it is found
     const float *known;  // or as it was
     double *scratch;     // of sfi_stand_carry()
+    sf_grid *kept;
     sfi_carved *carved;
 } batch;
 
@@ -146,6 +147,30 @@ sf_status sfi_stand_weigh(const sf_stand *stand, const sf_pose *poses, const sf_
     *density = b.density;
     *count = voxels;
     return SF_OK;
+}
+
+// --- What stays ----------------------------------------------------------------------------------
+
+static sf_status keep(batch *b, size_t i)
+{
+    const sf_stand_options *o = &b->stand->options;
+    const sf_lattice *l = &b->lattice;
+    size_t row = b->voxel[i] / l->nx;
+    return o->keep(o->keep_user, b->rest + 3 * i)
+               ? sf_slice_set(sf_grid_slice(b->kept, (uint32_t)(row / l->ny)),
+                              (uint32_t)(b->voxel[i] % l->nx), (uint32_t)(row % l->ny), 1)
+               : SF_OK;
+}
+
+sf_status sfi_stand_keep(const sf_stand *stand, const sf_pose *poses, const sf_grid *solid,
+                         sf_task *task, sf_grid *wall)
+{
+    batch b = {.stand = stand,
+               .poses = poses,
+               .lattice = sf_grid_lattice(solid),
+               .task = task,
+               .kept = wall};
+    return stand->options.keep != NULL ? visit_all(&b, solid, keep) : SF_OK;
 }
 
 // --- Bodies --------------------------------------------------------------------------------------

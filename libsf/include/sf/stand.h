@@ -31,6 +31,10 @@ typedef enum sf_stand_solver {
     0, and finite as a float. Asked once a round for each voxel. */
 typedef double (*sf_density_field)(void *user, const double p_mm[3]);
 
+/** Whether what is at a place of the shape as it was before bending must stay: 1, or 0 where it may
+    be carved away. Asked once a round for each voxel. */
+typedef int (*sf_keep_field)(void *user, const double p_mm[3]);
+
 /** How a shape is made to stand. Fill with sf_stand_options_default(). */
 typedef struct sf_stand_options {
     size_t struct_size; /**< sizeof(sf_stand_options), set by the default */
@@ -64,6 +68,8 @@ typedef struct sf_stand_options {
     size_t ballast_count;      /**< how many; 0 by default */
     sf_density_field density;  /**< NULL (default): 1 everywhere */
     void *density_user;        /**< handed to it */
+    sf_keep_field keep; /**< what is never carved, beside the wall; NULL (default): nothing */
+    void *keep_user;    /**< handed to it */
 } sf_stand_options;
 
 /**
