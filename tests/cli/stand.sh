@@ -369,7 +369,7 @@ near "$(value drained.holes.0.mass)" "$(awk -v v="$(value drained.holes.0.volume
 for keep in true false; do
     echo '{"format": "libsf-density", "version": 1, "regions": [{"density": 1, "keep": '$keep', "box": {"low": [-99, -99, -99], "high": [99, 99, 99]}}]}' >all.json
     run stand light.obj --wall 2 --gamma 0 --no-deform --resolution 40 --density all.json --json
-    same "$exit $(awk -v v="$(value carved_mm3)" 'BEGIN { print v > 0 }')" "$([ $keep = true ] && echo 1 0 || echo 0 1)" "where keep is $keep what stands is carved as it may be"
+    same "$exit $(awk -v v="$(value carved_mm3)" 'BEGIN { print (v > 0) }')" "$([ $keep = true ] && echo 1 0 || echo 0 1)" "where keep is $keep what stands is carved as it may be"
 done
 
 # A number says how heavy all of it is, and takes no longer; one that voxels cannot hold is refused.
