@@ -4,6 +4,7 @@
 
 #include "handles_read.h"
 
+#include "extent.h"
 #include "json_read.h"
 #include "progress.h"
 #include "turned.h"
@@ -146,8 +147,10 @@ static exit_status read_pose(cli_job *job, const json_t *object, handles *h, siz
 }
 
 // The middle of the part where a ray from outside, or from its surface, enters it.
-static exit_status follow_ray(cli_job *job, const part *p, const json_t *ray, double at[3])
+static exit_status follow_ray(cli_job *job, const part *p, const json_t *ray, size_t i,
+                              double at[3])
 {
+    char words[EXTENT_WORDS_SIZE];
     double direction[3];
     sf_fault fault = {SF_OK, 0, 0, ""};
     if (!json_has_only(ray, ray_keys, 2) || json_object_size(ray) != 2 ||
@@ -157,19 +160,26 @@ static exit_status follow_ray(cli_job *job, const part *p, const json_t *ray, do
     turned_to_build(job, at, at);
     turned_to_build(job, direction, direction);
     sf_status status = sf_handle_center(p->grid, at, direction, at, &fault);
+    if (status == SF_ERR_INFEASIBLE) {
+        extent_words(job, p, words);
+        return job_fail(job, EXIT_INPUT,
+                        "--handles %.300s: the ray of handle %zu misses the model, which spans %s.",
+                        job->options.stand.handles, i + 1, words);
+    }
     return status == SF_OK
                ? EXIT_GOOD
                : job_fail_call(job, status, &fault, job->options.stand.handles, EXIT_INPUT);
 }
 
-static exit_status read_place(cli_job *job, const part *p, const json_t *object, double at[3])
+static exit_status read_place(cli_job *job, const part *p, const json_t *object, size_t i,
+                              double at[3])
 {
     const json_t *ray = json_object_get(object, "ray"), *place = json_object_get(object, "at_mm");
     if ((ray == NULL) == (place == NULL)) {
         return fail(job, "a handle lies at_mm, or where a ray leads.");
     }
     if (ray != NULL) {
-        return follow_ray(job, p, ray, at);
+        return follow_ray(job, p, ray, i, at);
     }
     if (!json_get_triple(object, "at_mm", at)) {
         return fail(job, "at_mm is three numbers.");
@@ -195,7 +205,7 @@ static exit_status read_one(cli_job *job, const part *p, const json_t *object, h
         return fail(job, "a ball has a radius_mm above 0.");
     }
     h->poses[i] = sf_pose_identity();
-    exit_status status = read_place(job, p, object, made->at_mm);
+    exit_status status = read_place(job, p, object, i, made->at_mm);
     return status == EXIT_GOOD ? read_pose(job, object, h, i) : status;
 }
 

@@ -9,10 +9,12 @@
 
 #include "change.h"
 #include "describe.h"
+#include "extent.h"
 #include "halves.h"
 #include "progress.h"
 #include "stances_check.h"
 #include "stand_drill.h"
+#include "stand_feet.h"
 
 #include <math.h>
 #include <string.h>
@@ -197,6 +199,14 @@ static exit_status prepare(cli_job *job, model *m)
                 sf_stand_set_pose(m->stand, i, &m->handles.poses[i], m->handles.each[i].locked);
         }
     }
+    if (status == SF_ERR_INFEASIBLE) {
+        char words[EXTENT_WORDS_SIZE];
+        extent_words(job, &m->part, words);
+        return job_fail(job, EXIT_INPUT,
+                        "%s: %s. What it stands on or hangs from counts as handle %zu; the model "
+                        "spans %s.",
+                        job->options.input, fault.message, m->handles.count + 1, words);
+    }
     return status == SF_OK ? EXIT_GOOD
                            : job_fail_call(job, status, &fault, job->options.input, EXIT_INPUT);
 }
@@ -259,6 +269,7 @@ static double measure_moved(const model *m)
 static exit_status go(cli_job *job, model *m)
 {
     m->report = sf_stand_describe(m->stand);
+    m->flattened_mm = measure_moved(m);
     sf_status status = SF_OK;
     progress_line("at first: margin %7.2f degrees", m->report.margin_rad * DEGREES);
     while (status == SF_OK && !m->report.ended) {
@@ -282,6 +293,9 @@ exit_status model_run(cli_job *job, model *m)
     exit_status status = stances_read(job, &m->part, m->up, &m->stances);
     if (status == EXIT_GOOD) {
         status = stances_check(job, &m->part, &m->stances);
+    }
+    if (status == EXIT_GOOD) {
+        status = stand_feet(job, m);
     }
     if (status == EXIT_GOOD) {
         status = handles_read(job, &m->part, &m->stances, &m->handles);

@@ -34,6 +34,8 @@ typedef struct model {
     sf_grid *solid, *cavity; // voxels of the shape as it came out; NULL where nothing is carved
     double size_mm;          // longest side
     double wall_min_mm;      // measured; infinite where nothing is carved
+    double modelled_rad;     // margin on the corners that touch the ground as they were modelled
+    double flattened_mm;     // the furthest that a vertex went to put feet flat
     double moved_mm;         // the furthest that a vertex went, feet put flat included
     drilled drilled;         // all zero without --drain
 } model;

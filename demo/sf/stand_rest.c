@@ -3,23 +3,11 @@
 
 #include "stand_rest.h"
 
+#include "stand_feet.h"
 #include "stand_say.h"
 #include "turned.h"
 
 #define DEGREES (180 / 3.14159265358979323846)
-
-static sf_status weigh(cli_job *job, const model *m, double com[3])
-{
-    sf_body body;
-    sf_status status = m->densities.each != NULL
-                           ? sf_grid_body(m->part.grid, m->densities.each, &job->task, &body)
-                           : sf_mesh_body(sf_mesh_get_view(m->part.mesh), m->densities.all, &body);
-    if (status == SF_OK) {
-        body = sf_body_add(body, 1, sf_ballast_body(m->densities.masses, m->densities.mass_count));
-        status = sf_body_com(body, com);
-    }
-    return status;
-}
 
 static void say(const cli_job *job, const model *m, const double com[3], const sf_rest *rest)
 {
@@ -67,7 +55,7 @@ exit_status stand_rest(cli_job *job, const model *m)
     sf_rest rest;
     turned_axis(m->up, axis_up);
     turned_to_build(job, axis_up, up);
-    sf_status status = weigh(job, m, com);
+    sf_status status = stand_weigh(job, m, com);
     if (status == SF_OK) {
         status = sf_mesh_rest(sf_mesh_get_view(m->part.mesh), com, up, 1, NULL, &rest, &fault);
     }

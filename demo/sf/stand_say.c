@@ -172,6 +172,8 @@ static void report_fields(const cli_job *job, const model *m)
     report_flag(r, "succeeded", model_holds(m));
     report_number(r, "margin_deg", done->margin_rad * DEGREES);
     report_number(r, "margin_before_deg", done->margin_before_rad * DEGREES);
+    report_number(r, "margin_modelled_deg", m->modelled_rad * DEGREES);
+    report_number(r, "flattened_mm", m->flattened_mm);
     if (has_bound(m)) {
         report_number(r, "bound_deg", done->bound_rad * DEGREES);
     } else {
@@ -292,17 +294,61 @@ static void warn(cli_job *job, const model *m)
     }
 }
 
+// What else could be tried, where it did not come out as it was asked for.
+static void say_advice(const cli_job *job, const model *m)
+{
+    const sf_stand_options *o = &m->options;
+    report *r = job->report;
+    if (m->report.succeeded) {
+        return;
+    }
+    if (o->carve && !isfinite(m->wall_min_mm)) {
+        report_say(r,
+                   "With walls of %.4g mm there was nothing to carve: a thinner --wall, or a "
+                   "finer --resolution, leaves more inside.",
+                   o->wall_mm);
+    }
+    if (!o->carve || !o->deform) {
+        report_say(r, "Without %s there is one way more.",
+                   o->carve    ? "--no-deform"
+                   : o->deform ? "--no-carve"
+                               : "--no-carve and --no-deform");
+    } else {
+        report_say(r, "It may come further with a smaller --gamma, a larger --max-shift, more "
+                      "--handles, or a wider foot.");
+    }
+}
+
+// Feet that are put flat make the margin another: both are said, so that neither looks wrong.
+static void say_first(const cli_job *job, const model *m)
+{
+    double before = m->report.margin_before_rad * DEGREES, modelled = m->modelled_rad * DEGREES;
+    if (m->flattened_mm > STILL * m->size_mm) {
+        report_say(job->report,
+                   "%s: voxels of %.4g mm; as modelled the margin is %.2f degrees, with its feet "
+                   "put flat, which moves them by at most %.3g mm, %.2f.",
+                   job->options.input, m->options.pitch_mm, modelled, m->flattened_mm, before);
+    } else {
+        report_say(job->report, "%s: voxels of %.4g mm; at first the margin is %.2f degrees.",
+                   job->options.input, m->options.pitch_mm, before);
+    }
+    if (m->report.safe && m->report.rounds <= 1 && !isfinite(m->wall_min_mm) &&
+        !(m->moved_mm > STILL * m->size_mm)) {
+        report_say(job->report, "It rests as it was asked to already: nothing was changed.");
+    }
+}
+
 void stand_report(cli_job *job, const model *m)
 {
     report_fields(job, m);
-    report_say(job->report, "%s: voxels of %.4g mm; at first the margin is %.2f degrees.",
-               job->options.input, m->options.pitch_mm, m->report.margin_before_rad * DEGREES);
+    say_first(job, m);
     if (only_stands(m)) {
         say_standing(job, m);
     } else {
         say_stances(job, m);
     }
     say_price(job, m);
+    say_advice(job, m);
     stand_drill_report(job, m);
     warn(job, m);
 }

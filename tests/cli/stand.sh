@@ -260,6 +260,11 @@ exits 3 stand bench.obj --units cm --no-carve --no-deform --contacts 'x>400' --j
 grep -q 'the model spans x 0 to 200, y 0 to 100, z 0 to 140 mm' stderr
 ok $? "and who asks beside it is told where it lies: $(cat stderr)"
 
+# What rests already is left alone, also where its feet could be put flat.
+exits 0 stand bench.obj --gamma 20 --resolution 40
+grep -q 'nothing was changed' stdout && ! grep -q 'put flat' stdout
+ok $? "what stands already is left as it is"
+
 # Hanging: straight below the point is the centre of mass, which the point is over, or not.
 box block.obj 0 0 0 40 30 20
 exits 0 stand block.obj --suspend 20,15,20 --resolution 32 --no-deform --json

@@ -275,16 +275,16 @@ static sf_status check(const sf_grid *solid, const sf_handle *handles, size_t co
     for (size_t j = 0; j < count; j++) {
         if (!is_handle(&handles[j])) {
             return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
-                                 "handle %u of %u is no point, ball or base: its centre must be "
+                                 "handle %u is no point, ball or base: its centre must be "
                                  "finite, a ball has a radius, a base a region",
-                                 (unsigned)j + 1u, (unsigned)count);
+                                 (unsigned)j + 1u);
         }
         if (handles[j].kind == SF_HANDLE_BASE) {
             sf_lattice r = sf_grid_lattice(handles[j].region);
             if (r.nx != l.nx || r.ny != l.ny || r.nz != l.nz) {
                 return sfi_fault_set(fault, SF_ERR_SHAPE, 0, 0,
-                                     "the region of handle %u of %u is not on the solid's lattice",
-                                     (unsigned)j + 1u, (unsigned)count);
+                                     "the region of handle %u is not on the solid's lattice",
+                                     (unsigned)j + 1u);
             }
         }
     }

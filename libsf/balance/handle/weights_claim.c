@@ -21,7 +21,6 @@
 typedef struct claim {
     const sfi_domain *domain;
     const sf_handle *handles;
-    size_t count;
     uint8_t *owner;
     sf_fault *fault;
 } claim;
@@ -34,10 +33,11 @@ static sf_status hold_node(const claim *c, size_t handle, size_t node)
 {
     uint8_t before = c->owner[node];
     if (before != SFI_NODE_FREE && before != handle) {
-        return sfi_fault_set(c->fault, SF_ERR_INFEASIBLE, 0, 0,
-                             "handles %u and %u of %u touch: they hold the same corner of a cell; "
-                             "move one away, or make the cells smaller",
-                             before + 1u, (unsigned)handle + 1u, (unsigned)c->count);
+        return sfi_fault_set(
+            c->fault, SF_ERR_INFEASIBLE, 0, 0,
+            "handles %u and %u touch: they hold the same corner of a cell; move one "
+            "away, or make the cells smaller",
+            before + 1u, (unsigned)handle + 1u);
     }
     c->owner[node] = (uint8_t)handle;
     return SF_OK;
@@ -60,8 +60,8 @@ static sf_status hold_point(const claim *c, size_t handle)
     sfi_spot spot = sfi_domain_search(c->domain, c->handles[handle].at_mm, NULL, INFINITY);
     if (spot.square > 0) {
         return sfi_fault_set(c->fault, SF_ERR_INFEASIBLE, 0, 0,
-                             "handle %u of %u lies outside the solid: move it inside",
-                             (unsigned)handle + 1u, (unsigned)c->count);
+                             "handle %u lies outside the solid: move it inside",
+                             (unsigned)handle + 1u);
     }
     return hold_cell(c, handle, spot.cell);
 }
@@ -133,13 +133,12 @@ static sf_status hold_base(const claim *c, size_t handle)
     }
     if (found[0] == 0) {
         return sfi_fault_set(c->fault, SF_ERR_ARGUMENT, 0, 0,
-                             "handle %u of %u is a base without a single voxel",
-                             (unsigned)handle + 1u, (unsigned)c->count);
+                             "handle %u is a base without a single voxel", (unsigned)handle + 1u);
     }
     if (found[1] == 0) {
         return sfi_fault_set(c->fault, SF_ERR_INFEASIBLE, 0, 0,
-                             "handle %u of %u is a base that lies outside the solid",
-                             (unsigned)handle + 1u, (unsigned)c->count);
+                             "handle %u is a base that lies outside the solid",
+                             (unsigned)handle + 1u);
     }
     return SF_OK;
 }
@@ -147,7 +146,7 @@ static sf_status hold_base(const claim *c, size_t handle)
 sf_status sfi_claim(const sfi_domain *domain, const sf_handle *handles, size_t count,
                     uint8_t *owner, sf_fault *fault)
 {
-    claim c = {domain, handles, count, owner, fault};
+    claim c = {domain, handles, owner, fault};
     memset(owner, SFI_NODE_FREE, domain->node_count);
     for (size_t j = 0; j < count; j++) {
         if (handles[j].kind == SF_HANDLE_BASE) {
