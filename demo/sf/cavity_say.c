@@ -116,6 +116,18 @@ static void say_support(report *r, const change *done)
     }
 }
 
+// In the unit of --density, which is whatever the person thinks in.
+static void say_mass(cli_job *job, const cavity *c)
+{
+    char before[DESCRIBE_MM3_SIZE], after[DESCRIBE_MM3_SIZE];
+    if (job->options.given & OPTION_DENSITY) {
+        report_say(job->report,
+                   "Solid, its %s weigh %.5g; hollow, its %s weigh %.5g, by --density %s.",
+                   describe_mm3(c->done.before_mm3, before), c->before.mass,
+                   describe_mm3(c->done.after_mm3, after), c->after.mass, job->options.density);
+    }
+}
+
 static void say(cli_job *job, const cavity *c)
 {
     report *r = job->report;
@@ -127,6 +139,7 @@ static void say(cli_job *job, const cavity *c)
     report_say(r, "Hollowing took %s out (%.3g %%); walls are %.4g mm or more%s.",
                describe_mm3(c->carved_mm3, out), 100 * c->carved_mm3 / c->done.before_mm3,
                c->wall_min_mm, kept);
+    say_mass(job, c);
     say_support(r, &c->done);
     say_voids(job, c);
 }
@@ -143,6 +156,7 @@ void cavity_report(cli_job *job, const part *p, const cavity *c)
     report_number(r, "kept_inside_mm3", c->kept_mm3);
     change_report(r, NULL, &c->done);
     report_voids(job, c);
+    report_number(r, "solid_mm3", c->done.before_mm3);
     report_mass(job, &c->before, "mass_before", "com_before_mm");
     report_mass(job, &c->after, "mass", "com_mm");
     say(job, c);

@@ -152,6 +152,11 @@ exits 2 hollow block.obj --pitch 0.1 --wall 3 --min-feature 30
 # Weights.
 exits 0 hollow block.obj --pitch 1 --wall 3 --density 2 --json
 same "$(value mass_before)" 72000 "a density is one number"
+same "$(value solid_mm3) $(value mass)" "36000 $(value volume_mm3 | awk '{ print 2 * $1 }')" "of all the solid, and of what is left"
+left=$(value mass)
+run hollow block.obj --pitch 1 --wall 3 --density 2
+grep -q "^Solid, its 36000 mm3 weigh 72000; hollow, its .* mm3 weigh $left, by --density 2" stdout
+ok $? "and a sentence says so: $(grep '^Solid' stdout)"
 box half.obj 0 0 0 20 30 30
 cat >density.json <<'END'
 {"format": "libsf-density", "version": 1, "density": 2, "infill": 0.25, "wall_mm": 3,
