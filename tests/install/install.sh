@@ -56,6 +56,22 @@ by_pkg_config() {
     ) >"$here/log" 2>&1
 }
 
+# Headers of ours include those of the C library alone, so nobody's folder is asked for but ours, and
+# those that spng and jansson bring along.
+asks_for_few_folders() {
+    (
+        export PKG_CONFIG_PATH="$here/whole/$libdir/pkgconfig:${PKG_CONFIG_PATH:-}"
+        brought=" $(pkg-config --cflags-only-I spng jansson 2>/dev/null) "
+        {
+            pkg-config --cflags-only-I libsf-io || exit 1
+            pkg-config --static --cflags-only-I libsf-io || exit 1
+        } | tr ' ' '\n' | grep -v '^$' | while read -r folder; do
+            case $brought in *" $folder "*) continue ;; esac
+            [ "$(cd "${folder#-I}" && pwd -P)" = "$(cd "$here/whole/include" && pwd -P)" ] || { echo "$folder" && exit 1; }
+        done
+    ) >"$here/log" 2>&1
+}
+
 # The README's example, on a mesh of the garden of which not all prints at 45 degrees.
 readme_example() {
     sed -n '/^```c$/,/^```$/p' "$source/../../README.md" | sed '/^```/d' >"$here/example.c"
@@ -134,6 +150,10 @@ for kind in shared static; do
         skip "CMake, $kind" "cmake is not installed"
     fi
 done
+if command -v pkg-config >/dev/null; then
+    asks_for_few_folders
+    ok $? "libsf-io asks for the folder of its own headers, and for none of HDF5"
+fi
 if command -v pkg-config >/dev/null && can shared; then
     readme_example
     ok $? "the example in the README"
