@@ -105,6 +105,7 @@ exit_status halves_make(cli_job *job, const sf_mesh *whole, sf_mesh_format forma
     sf_mesh_view view = sf_mesh_get_view(whole);
     double low[3], high[3];
     int across = job->options.cut_axis;
+    sf_fault fault = {SF_OK, 0, 0, ""};
     memset(h, 0, sizeof *h);
     sf_status status = sf_mesh_bounds(view, low, high);
     h->at_mm = job->options.cut_mm;
@@ -112,12 +113,11 @@ exit_status halves_make(cli_job *job, const sf_mesh *whole, sf_mesh_format forma
         h->at_mm = low[across] + 0.5 * (high[across] - low[across]);
     }
     if (status == SF_OK) {
-        status = sf_mesh_cut(view, across, h->at_mm, NULL, &h->mesh[0], &h->mesh[1]);
+        status = sf_mesh_cut(view, across, h->at_mm, NULL, &h->mesh[0], &h->mesh[1], &fault);
     }
     if (status == SF_ERR_INFEASIBLE) {
         h->missed = 1;
-        job_warn(job, "It was not cut: %c %g mm leaves nothing on one side of it as it came out.",
-                 axis_name(job), h->at_mm);
+        job_warn(job, "It was not cut as it came out. %s", fault.message);
         return EXIT_GOOD;
     }
     if (status == SF_OK) {
@@ -126,7 +126,8 @@ exit_status halves_make(cli_job *job, const sf_mesh *whole, sf_mesh_format forma
     for (int i = 0; status == SF_OK && format == SF_MESH_FORMAT_STL && i < 2; i++) {
         status = tidy(&h->mesh[i]);
     }
-    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the halves", EXIT_INPUT);
+    return status == SF_OK ? EXIT_GOOD
+                           : job_fail_call(job, status, &fault, "the halves", EXIT_INPUT);
 }
 
 exit_status halves_name(cli_job *job, const char *path, int is_high, char name[HALVES_PATH_SIZE])

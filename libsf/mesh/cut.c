@@ -279,21 +279,39 @@ static int is_near(sf_mesh_view mesh)
     return 1;
 }
 
-sf_status sf_mesh_cut(sf_mesh_view mesh, int axis, double at_mm, const sf_allocator *allocator,
-                      sf_mesh **low, sf_mesh **high)
+// Where the mesh is that the plane misses.
+static sf_status miss(sf_mesh_view mesh, int axis, double at_mm, sf_fault *fault)
+{
+    double low[3], high[3];
+    SF_TRY(sf_mesh_bounds(mesh, low, high));
+    return sfi_fault_set(fault, SF_ERR_INFEASIBLE, 0, 0,
+                         "The plane %c = %.9g mm leaves nothing on one side: the mesh goes from "
+                         "%.9g to %.9g mm along %c.",
+                         "xyz"[axis], at_mm, low[axis], high[axis], "xyz"[axis]);
+}
+
+static sf_status check(sf_mesh_view mesh, const sf_allocator *allocator, sf_fault *fault)
 {
     sf_topology topology;
-    sf_mesh *made[2] = {NULL, NULL};
-    if (low == NULL || high == NULL || low == high || axis < 0 || axis > 2 || !isfinite(at_mm)) {
-        return SF_ERR_ARGUMENT;
-    }
     SF_TRY(sf_mesh_analyze(mesh, allocator, &topology));
-    if (!topology.closed || !topology.oriented) {
-        return SF_ERR_UNSUPPORTED;
+    if (!topology.closed) {
+        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "The mesh is open: %zu edges have one triangle only.",
+                             topology.boundary_edges);
     }
-    if (!is_near(mesh)) {
-        return SF_ERR_OVERFLOW;
+    if (!topology.oriented) {
+        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "Of the mesh %zu edges join triangles that face opposite ways.",
+                             topology.misoriented_edges);
     }
+    return is_near(mesh) ? SF_OK
+                         : sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
+                                         "A coordinate of the mesh lies beyond %g mm.", FAR_MM);
+}
+
+static sf_status cut(sf_mesh_view mesh, int axis, double at_mm, const sf_allocator *allocator,
+                     sf_mesh *made[2])
+{
     sfi_cutting c = {
         .allocator = sfi_allocator_or_default(allocator), .axis = axis, .at_mm = at_mm};
     SF_TRY(sf_mesh_merge(mesh, allocator, &c.merged));
@@ -302,10 +320,31 @@ sf_status sf_mesh_cut(sf_mesh_view mesh, int axis, double at_mm, const sf_alloca
     sfi_free_array(&c.allocator, c.table, c.slot_count, sizeof *c.table);
     sfi_free_array(&c.allocator, c.crossings, c.crossing_capacity, sizeof *c.crossings);
     sf_mesh_destroy(c.merged);
+    return status;
+}
+
+sf_status sf_mesh_cut(sf_mesh_view mesh, int axis, double at_mm, const sf_allocator *allocator,
+                      sf_mesh **low, sf_mesh **high, sf_fault *fault)
+{
+    sf_fault found = {SF_OK, 0, 0, ""};
+    sf_mesh *made[2] = {NULL, NULL};
+    if (low == NULL || high == NULL || low == high || axis < 0 || axis > 2 || !isfinite(at_mm)) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
+                             "A plane crosses axis 0, 1 or 2 at a finite place, and each half "
+                             "wants a pointer of its own.");
+    }
+    sf_status status = check(mesh, allocator, &found);
+    if (status == SF_OK) {
+        status = cut(mesh, axis, at_mm, allocator, made);
+    }
+    if (status == SF_ERR_INFEASIBLE) {
+        status = miss(mesh, axis, at_mm, &found);
+    }
     if (status != SF_OK) {
         sf_mesh_destroy(made[SFI_LOW]);
         sf_mesh_destroy(made[SFI_HIGH]);
-        return status;
+        return sfi_fault_set(fault, status, 0, 0, "%s",
+                             found.status == status ? found.message : sf_status_message(status));
     }
     *low = made[SFI_LOW];
     *high = made[SFI_HIGH];

@@ -201,6 +201,9 @@ done
 exits 0 stand tower.obj --wall 1 --resolution 40 --pixels 200,150 -o opened
 [ ! -e opened_low.stl ] && [ ! -e opened_high.stl ]
 ok $? "halves of an earlier run go"
+exits 1 stand tower.obj --wall 1 --resolution 32 --cut x,27 --pixels 200,150 -o opened
+grep -q 'not cut as it came out. The plane x = 27 mm leaves nothing on one side: the mesh goes from [-0-9.e]* to 2[0-6][0-9.]* mm along x' stderr
+ok $? "bent away from the plane it is not cut: $(cat stderr)"
 exits 2 stand tower.obj --cut z,20
 exits 2 stand tower.obj --cut z,40 -o beside
 

@@ -250,6 +250,7 @@ SF_API SF_CHECKED sf_status sf_mesh_measure(sf_mesh_view mesh, sf_mass *mass);
  *                   library's
  * @param low        receives the half with the lower coordinates along the axis
  * @param high       receives the other half; not the same pointer
+ * @param fault      NULL, or receives a sentence on failure, such as where the mesh is
  * @return SF_OK; what sf_mesh_analyze() says; SF_ERR_ARGUMENT: a NULL pointer, an axis that there
  * is not, a place that is not finite; SF_ERR_UNSUPPORTED: a mesh that is open, or not oriented
  * alike everywhere; SF_ERR_INFEASIBLE: the plane leaves nothing on one side of it; SF_ERR_OVERFLOW:
@@ -263,7 +264,7 @@ SF_API SF_CHECKED sf_status sf_mesh_measure(sf_mesh_view mesh, sf_mass *mass);
  */
 SF_API SF_CHECKED sf_status sf_mesh_cut(sf_mesh_view mesh, int axis, double at_mm,
                                         const sf_allocator *allocator, sf_mesh **low,
-                                        sf_mesh **high);
+                                        sf_mesh **high, sf_fault *fault);
 
 // ---------------------------------------------------------------------------------------------
 // Voxels out of a mesh

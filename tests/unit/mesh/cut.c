@@ -294,7 +294,8 @@ static void any_size_is_cut(void)
             s.vertices[v] *= sizes[i];
         }
         sf_mesh *mesh[2] = {NULL, NULL};
-        CHECK_EQ(sf_mesh_cut(solid_view(&s), 1, 0.1 * sizes[i], NULL, &mesh[0], &mesh[1]), SF_OK);
+        CHECK_EQ(sf_mesh_cut(solid_view(&s), 1, 0.1 * sizes[i], NULL, &mesh[0], &mesh[1], NULL),
+                 SF_OK);
         for (int side = 0; side < 2 && mesh[side] != NULL; side++) {
             check_half(sf_mesh_get_view(mesh[side]), 1, 0.1 * sizes[i], side);
             sf_mesh_destroy(mesh[side]);
@@ -302,7 +303,7 @@ static void any_size_is_cut(void)
     }
     s.vertices[0] = 2e12;
     sf_mesh *low = NULL, *high = NULL;
-    CHECK_EQ(sf_mesh_cut(solid_view(&s), 1, 1, NULL, &low, &high), SF_ERR_OVERFLOW);
+    CHECK_EQ(sf_mesh_cut(solid_view(&s), 1, 1, NULL, &low, &high, NULL), SF_ERR_OVERFLOW);
     CHECK(low == NULL && high == NULL);
 }
 
@@ -314,23 +315,31 @@ static void what_cannot_be_cut_is_refused(void)
     sf_mesh_view m = solid_view(&s), none = {NULL, 0, NULL, 0};
     const double beside[] = {-1, 0, 1, 2};
     for (int i = 0; i < 12; i++) {
-        CHECK_EQ(sf_mesh_cut(m, i % 3, beside[i / 3], NULL, &low, &high), SF_ERR_INFEASIBLE);
+        CHECK_EQ(sf_mesh_cut(m, i % 3, beside[i / 3], NULL, &low, &high, NULL), SF_ERR_INFEASIBLE);
     }
-    CHECK_EQ(sf_mesh_cut(none, 0, 0.5, NULL, &low, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, -1, 0.5, NULL, &low, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 3, 0.5, NULL, &low, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 0, NAN, NULL, &low, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 0, INFINITY, NULL, &low, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, NULL, &high), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, NULL), SF_ERR_ARGUMENT);
-    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &low), SF_ERR_ARGUMENT);
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    s.vertices[0] = -0.5; // one corner of the box, along x
+    CHECK_EQ(sf_mesh_cut(m, 0, 3, NULL, &low, &high, &fault), SF_ERR_INFEASIBLE);
+    CHECK_EQ(fault.status, SF_ERR_INFEASIBLE);
+    CHECK(strcmp(fault.message, "The plane x = 3 mm leaves nothing on one side: the mesh goes from "
+                                "-0.5 to 1 mm along x.") == 0);
+    s.vertices[0] = 0;
+    CHECK_EQ(sf_mesh_cut(none, 0, 0.5, NULL, &low, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, -1, 0.5, NULL, &low, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 3, 0.5, NULL, &low, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 0, NAN, NULL, &low, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 0, INFINITY, NULL, &low, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, NULL, &high, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &low, NULL), SF_ERR_ARGUMENT);
     m.triangle_count--;
-    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &high), SF_ERR_UNSUPPORTED);
+    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &high, &fault), SF_ERR_UNSUPPORTED);
+    CHECK(strcmp(fault.message, "The mesh is open: 3 edges have one triangle only.") == 0);
     m.triangle_count++;
     uint32_t kept = s.triangles[0];
     s.triangles[0] = s.triangles[1];
     s.triangles[1] = kept;
-    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &high), SF_ERR_UNSUPPORTED);
+    CHECK_EQ(sf_mesh_cut(m, 0, 0.5, NULL, &low, &high, NULL), SF_ERR_UNSUPPORTED);
     CHECK(low == NULL && high == NULL);
 }
 
@@ -377,7 +386,7 @@ static void short_memory_leaves_nothing_behind(void)
         failing_allocator f;
         sf_mesh *low = NULL, *high = NULL;
         failing_begin(&f, k);
-        status = sf_mesh_cut(solid_view(&s), 2, 0.1, &f.allocator, &low, &high);
+        status = sf_mesh_cut(solid_view(&s), 2, 0.1, &f.allocator, &low, &high, NULL);
         if (status != SF_OK) {
             CHECK_EQ(status, SF_ERR_MEMORY);
             CHECK(low == NULL && high == NULL);

@@ -84,7 +84,7 @@ static inline halves cut_view(sf_mesh_view m, int axis, double at)
 {
     halves h;
     memset(&h, 0, sizeof h);
-    CHECK_EQ(sf_mesh_cut(m, axis, at, NULL, &h.mesh[0], &h.mesh[1]), SF_OK);
+    CHECK_EQ(sf_mesh_cut(m, axis, at, NULL, &h.mesh[0], &h.mesh[1], NULL), SF_OK);
     double sum = 0, whole = volume(m);
     for (int i = 0; i < 2 && h.mesh[i] != NULL; i++) {
         h.view[i] = sf_mesh_get_view(h.mesh[i]);
