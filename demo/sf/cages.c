@@ -20,6 +20,25 @@ static int is_exchange(const char *path)
     return dot != NULL && (strcmp(dot, ".h5") == 0 || strcmp(dot, ".hdf5") == 0);
 }
 
+int cages_look_like(const char *path)
+{
+    static const char *const firsts[] = {"# vtk DataFile", "MFEM ", "MeshVersionFormatted",
+                                         "\x89HDF\r\n\x1a\n"};
+    char bytes[512 + 1] = "";
+    FILE *file = fopen(path, "rb");
+    size_t have = file != NULL ? fread(bytes, 1, sizeof bytes - 1, file) : 0;
+    if (file != NULL) {
+        fclose(file);
+    }
+    for (size_t i = 0; i < sizeof firsts / sizeof firsts[0]; i++) {
+        size_t length = strlen(firsts[i]);
+        if (have >= length && memcmp(bytes, firsts[i], length) == 0) {
+            return i > 0 || strstr(bytes, "UNSTRUCTURED_GRID") != NULL; // or VTK of another kind
+        }
+    }
+    return 0;
+}
+
 static exit_status read_file(cli_job *job, sf_cage **cage, sf_cage_reading *reading)
 {
     const char *path = job->options.input;

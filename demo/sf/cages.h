@@ -10,6 +10,9 @@
 // is inverted. The caller frees it, whatever is returned.
 exit_status cages_read(cli_job *job, sf_cage **cage);
 
+// Whether a file begins as cages and exchange files do, whatever its name is.
+int cages_look_like(const char *path);
+
 // Fields of a cage: an object "cage".
 void cages_report(cli_job *job, const sf_cage *cage);
 

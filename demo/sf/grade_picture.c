@@ -15,6 +15,13 @@
 
 static const colour ink = {40, 40, 40};
 
+double grade_picture_bytes(const sf_lattice *lattice)
+{
+    const sf_lattice *l = lattice;
+    return (double)l->nx * l->nz * (3 * sizeof(double) + 1) +
+           (double)GRADE_PICTURE_LAYERS * l->nx * l->ny;
+}
+
 int grade_picture_begin(const sf_lattice *lattice, grade_picture *p)
 {
     size_t view = (size_t)lattice->nx * lattice->nz, plane = (size_t)lattice->nx * lattice->ny;

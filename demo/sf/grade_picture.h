@@ -21,6 +21,9 @@ typedef struct grade_picture {
     uint32_t which[GRADE_PICTURE_LAYERS];
 } grade_picture;
 
+// How much memory it takes.
+double grade_picture_bytes(const sf_lattice *lattice);
+
 // Returns 0 without memory.
 int grade_picture_begin(const sf_lattice *lattice, grade_picture *picture);
 void grade_picture_end(grade_picture *picture);

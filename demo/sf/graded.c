@@ -75,7 +75,8 @@ static sf_status find_box(press *p, const solid_input *in, double low[3], double
         p->job->options.given & OPTION_SEPARABLE ? SF_REFINE_SEPARABLE : SF_REFINE_STANDARD;
     if (in->cage != NULL) {
         sf_status status = sf_limit_create(in->cage, rules, NULL, &p->job->task, &p->limit);
-        return status == SF_OK ? sf_limit_bounds(p->limit, NULL, NULL, low, high) : status;
+        progress_phase("measuring the solid");
+        return status == SF_OK ? sf_limit_bounds(p->limit, NULL, &p->job->task, low, high) : status;
     }
     for (int i = 0; i < 3; i++) {
         low[i] = INFINITY;
@@ -91,6 +92,41 @@ static sf_status find_box(press *p, const solid_input *in, double low[3], double
     return SF_OK;
 }
 
+// A shape that has no outside to be cut along.
+static exit_status fail_shape(cli_job *job, const solid_input *in)
+{
+    return sf_cage_get_view(in->cage).dimension < 3
+               ? job_fail(job, EXIT_INPUT,
+                          "%s is a surface; only a solid can be graded, from a mesh of cells.",
+                          job->options.input)
+               : job_fail(job, EXIT_INPUT,
+                          "%s: its cells close upon themselves: each face has a cell on both of "
+                          "its sides, so that the solid ends nowhere; leave a face open.",
+                          job->options.input);
+}
+
+// Refuse layers that take more memory than --memory allows. Of the stack one layer is held: what
+// set_up_planes() takes, and what the sampler remembers of a row.
+static exit_status check_memory(const press *p)
+{
+    const sf_lattice *l = &p->made->lattice;
+    const cli_options *asked = &p->job->options;
+    double plane = (double)l->nx * l->ny, numbers = (double)p->m->property_count + p->m->count;
+    double bytes = plane * (8 * numbers + 1) + 8.0 * (double)sf_slice_stride(l->nx) * l->ny;
+    if (asked->picture != NULL) {
+        bytes += grade_picture_bytes(l);
+    }
+    double mib = ceil(bytes / 1048576);
+    return mib <= asked->memory_mib
+               ? EXIT_GOOD
+               : job_fail(p->job, EXIT_RESOURCE,
+                          "A layer of %u x %u voxels takes %.0f MiB with its properties and "
+                          "tones%s, and --memory allows %.0f; take a coarser --pitch, a lower "
+                          "--resolution, or --memory %.0f.",
+                          l->nx, l->ny, mib, asked->picture != NULL ? ", and its picture" : "",
+                          asked->memory_mib, mib);
+}
+
 static exit_status set_up_shape(press *p, const solid_input *in, const size_t *channels)
 {
     double low[3], high[3];
@@ -99,13 +135,15 @@ static exit_status set_up_shape(press *p, const solid_input *in, const size_t *c
     progress_phase("looking at the solid");
     sf_status status = find_box(p, in, low, high);
     if (status == SF_ERR_UNSUPPORTED) {
-        return job_fail(p->job, EXIT_INPUT, "%s is a surface; only a solid can be graded.",
-                        p->job->options.input);
+        return fail_shape(p->job, in);
     }
     if (status != SF_OK) {
         return fail_call(p->job, status, NULL);
     }
-    exit_status chosen = lattice_choose(p->job, low, high, &p->made->lattice, &lift);
+    exit_status chosen = lattice_fit(p->job, low, high, &p->made->lattice, &lift);
+    if (chosen == EXIT_GOOD) {
+        chosen = check_memory(p);
+    }
     if (chosen != EXIT_GOOD) {
         return chosen;
     }

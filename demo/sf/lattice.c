@@ -40,10 +40,18 @@ static exit_status check_memory(cli_job *job, const sf_lattice *lattice, double 
         2 * below > lattice->nz ? "a --bed nearer to the part, " : "", ceil(mib));
 }
 
-exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
-                           sf_lattice *lattice, uint32_t *lift)
+// How many layers a bed adds that lies below the part.
+static double layers_below(const cli_job *job, double low_mm, double layer_mm)
 {
-    double size_mm[3], pitch_mm[3], counts[3], below = 0;
+    return (job->options.given & OPTION_BED) && job->options.bed_mm < low_mm
+               ? ceil((low_mm - job->options.bed_mm) / layer_mm - ROUNDING_VX)
+               : 0;
+}
+
+exit_status lattice_fit(cli_job *job, const double low_mm[3], const double high_mm[3],
+                        sf_lattice *lattice, uint32_t *lift)
+{
+    double size_mm[3], pitch_mm[3], counts[3];
     for (int i = 0; i < 3; i++) {
         size_mm[i] = high_mm[i] - low_mm[i];
     }
@@ -51,10 +59,8 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
     for (int i = 0; i < 3; i++) {
         counts[i] = voxels_along(size_mm[i], pitch_mm[i]) + (i < 2 ? 2 : 0);
     }
-    if ((job->options.given & OPTION_BED) && job->options.bed_mm < low_mm[2]) {
-        below = ceil((low_mm[2] - job->options.bed_mm) / pitch_mm[2] - ROUNDING_VX);
-        counts[2] += below;
-    }
+    double below = layers_below(job, low_mm[2], pitch_mm[2]);
+    counts[2] += below;
     if (below > 0 && counts[2] > SF_LAYER_MAX && counts[2] - below <= SF_LAYER_MAX) {
         return job_fail(job, EXIT_USAGE,
                         "--bed %g lies %.4g mm below the part, which is %.4g layers; take a bed "
@@ -85,5 +91,12 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
                         "check --pitch, --size, --scale and --units.",
                         pitch_mm[0], pitch_mm[1], pitch_mm[2], size_mm[0], size_mm[1], size_mm[2]);
     }
-    return check_memory(job, lattice, below);
+    return EXIT_GOOD;
+}
+
+exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
+                           sf_lattice *lattice, uint32_t *lift)
+{
+    exit_status status = lattice_fit(job, low_mm, high_mm, lattice, lift);
+    return status == EXIT_GOOD ? check_memory(job, lattice, *lift) : status;
 }

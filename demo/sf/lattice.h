@@ -9,6 +9,10 @@
 // Faces of voxels lie on the lower corner of the box around the part; one empty voxel stands around
 // it in x and y, none below. `lift` gets the layers added below where the bed lies lower than the
 // part.
+exit_status lattice_fit(cli_job *job, const double low_mm[3], const double high_mm[3],
+                        sf_lattice *lattice, uint32_t *lift);
+
+// The same for a whole grid of it, which must fit into --memory.
 exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
                            sf_lattice *lattice, uint32_t *lift);
 

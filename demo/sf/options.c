@@ -20,7 +20,7 @@ typedef struct option_entry {
 static const option_entry table[] = {
     {OPTION_OUTPUT, "output", 'o', "OUT", "where the result goes"},
     {OPTION_RESOLUTION, "resolution", 0, "N",
-     "voxels on the longest side, 1 to 65533 (default 256; 64 to stand)"},
+     "voxels on the longest side, 1 to 65533 (default 256)"},
     {OPTION_PITCH, "pitch", 0, "PX[,PY[,LAYER]]", "voxel size in mm instead of a resolution"},
     {OPTION_ANGLE, "angle", 0, "DEG",
      "overhang that still prints, 5 to 85 from the vertical (default 45)"},
@@ -118,6 +118,28 @@ static int check_together(const cli_options *made, char *message, size_t size)
     return why == NULL ? 0 : -1;
 }
 
+// What an option says in a verb that it means something else in.
+static const struct {
+    const char *verb;
+    uint64_t bit;
+    const char *help;
+} own_words[] = {
+    {"stand", OPTION_RESOLUTION, "voxels on the longest side, 1 to 65533 (default 64)"},
+    {"grade", OPTION_MEMORY,
+     "most memory for one layer and what it asks for, in MiB (default 4096)"},
+    {"grade", OPTION_PICTURE, "also draw the surface, a cut through it, and three layers"},
+};
+
+static const char *help_of(const cli_verb *verb, const option_entry *entry)
+{
+    for (size_t i = 0; i < sizeof own_words / sizeof own_words[0]; i++) {
+        if (own_words[i].bit == entry->bit && strcmp(own_words[i].verb, verb->name) == 0) {
+            return own_words[i].help;
+        }
+    }
+    return entry->bit == OPTION_OUTPUT ? verb->output : entry->help;
+}
+
 static int take_option(const cli_verb *verb, int index, cli_options *made, char *message,
                        size_t size)
 {
@@ -137,7 +159,7 @@ static int take_option(const cli_verb *verb, int index, cli_options *made, char 
         made->printing = 1;
     } else if (entry->argument != NULL && !values_parse(entry->bit, optarg, made)) {
         snprintf(message, size, "--%s wants %s, and '%s' will not do: %s", entry->name,
-                 entry->argument, optarg, entry->help);
+                 entry->argument, optarg, help_of(verb, entry));
         return -1;
     }
     return 0;
@@ -275,8 +297,7 @@ void options_help(const cli_verb *verb, FILE *to)
         snprintf(left, sizeof left, "%s--%s%s%s", letter, table[i].name,
                  table[i].argument != NULL ? " " : "",
                  table[i].argument != NULL ? table[i].argument : "");
-        fprintf(to, "  %-29s %s\n", left,
-                table[i].bit == OPTION_OUTPUT ? verb->output : table[i].help);
+        fprintf(to, "  %-29s %s\n", left, help_of(verb, &table[i]));
     }
     fprintf(to, "  %-29s %s\n\nexamples:\n%s", "-h, --help", "this text", verb->examples);
     fputs(describe_input(verb->input), to);
@@ -285,7 +306,8 @@ void options_help(const cli_verb *verb, FILE *to)
               "one.\n",
               to);
     }
-    fputs("\nexit status: 0 good, 1 the asked property was not reached, 2 usage, 3 bad input,"
-          "\n4 out of memory or disk, 130 cancelled\n",
-          to);
+    fprintf(
+        to,
+        "\nexit status: 0 good, %s%s2 usage, 3 bad input, 4 out of memory or disk, 130 cancelled\n",
+        verb->missed != NULL ? verb->missed : "", verb->missed != NULL ? ",\n" : "");
 }

@@ -127,6 +127,7 @@ typedef struct cli_verb {
     uint64_t takes;       // OPTION_*
     const char *examples; // whole lines, each ended
     const char *output;   // what --output names; NULL where the verb writes nothing
+    const char *missed;   // what exit status 1 means; NULL where there is none
 } cli_verb;
 
 // Fill `made` with defaults, then with the command line after the verb. Returns 0, or 1 when help

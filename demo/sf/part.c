@@ -3,6 +3,7 @@
 
 #include "part.h"
 
+#include "cages.h"
 #include "inner.h"
 #include "lattice.h"
 #include "progress.h"
@@ -47,6 +48,13 @@ exit_status part_load_mesh(cli_job *job, const char *path, sf_mesh **mesh)
     status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL, mesh,
                           &fault);
     sf_file_close(file);
+    if ((status == SF_ERR_FORMAT || status == SF_ERR_UNSUPPORTED) && cages_look_like(path)) {
+        return job_fail(
+            job, EXIT_INPUT,
+            "%s is a cage or a mesh of cells, not a surface: 'sf grade' makes layers of "
+            "it, 'sf refine' a finer cage.",
+            path);
+    }
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_INPUT);
 }
 

@@ -266,24 +266,35 @@ static exit_status evaluate(const step *s)
                          "bounds.");
 }
 
+// What became of points that were to move, by numbers that are good as such.
+static exit_status moved(const step *s, sf_status status)
+{
+    switch (status) {
+    case SF_OK:
+        return EXIT_GOOD;
+    case SF_ERR_MEMORY:
+        return job_fail(s->job, EXIT_RESOURCE, "There is no memory for a step.");
+    default:
+        return fail(s, "it moves a point farther than 10^12 mm from 0, 0, 0.");
+    }
+}
+
 static exit_status move(const step *s)
 {
     double vector[3] = {0, 0, 0};
-    if (!json_get_triple(s->says, "move", vector) ||
-        sf_paint_move(s->cage, s->weights, vector, NULL, NULL) != SF_OK) {
+    if (!json_get_triple(s->says, "move", vector)) {
         return fail(s, "move is three numbers, mm.");
     }
-    return EXIT_GOOD;
+    return moved(s, sf_paint_move(s->cage, s->weights, vector, NULL, NULL));
 }
 
 static exit_status smooth_shape(const step *s)
 {
     double amount = 0;
-    if (!json_get_number(s->says, "smooth_shape", &amount) ||
-        sf_paint_smooth(s->cage, s->weights, amount, NULL, NULL) != SF_OK) {
+    if (!json_get_number(s->says, "smooth_shape", &amount) || amount < 0 || amount > 1) {
         return fail(s, "smooth_shape is a number from 0 to 1.");
     }
-    return EXIT_GOOD;
+    return moved(s, sf_paint_smooth(s->cage, s->weights, amount, NULL, NULL));
 }
 
 static exit_status act(const step *s)

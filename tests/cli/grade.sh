@@ -36,7 +36,7 @@ for mask in slice isotropic diffuse; do
     for i in 0 1 2; do
         worst=$(awk -v w="$worst" -v a="$(value materials.$i.tone_asked)" \
             -v b="$(value materials.$i.tone_obtained)" \
-            'BEGIN { d = a > b ? a - b : b - a; print d > w ? d : w }')
+            'BEGIN { d = a > b ? a - b : b - a; print (d > w ? d : w) }')
     done
     awk -v w="$worst" 'BEGIN { exit !(w < 0.003) }'
     ok $? "tones are as asked within 0.003 ($worst) by $mask"
@@ -58,6 +58,33 @@ ok $? "one thread and seven write the same bytes"
 awk '/^LOOKUP_TABLE/ { print; values = 1; next } values { print 3; next } { print }' cage.vtk >even.vtk
 exits 0 grade even.vtk --resolution 16 -o even --json
 same "$(value warnings) $(value materials.1.voxels)" "1 0" "one that is the same everywhere is worth a warning"
+
+# A layer is held and not the stack.
+exits 0 grade cage.vtk --pitch 0.02,0.08,0.002 --memory 1 --mask diffuse -o thin --json
+same "$(awk -v n="$(value lattice.nx) $(value lattice.ny) $(value lattice.nz)" 'BEGIN { split(n, a, " ")
+    print (8 * int((a[1] + 511) / 512) * 8 * a[2] * a[3] > 1048576) }')" 1 "of a grid that is larger"
+exits 4 grade cage.vtk --resolution 512 --memory 3 -o none
+grep -q "^sf: A layer of .* MiB with its properties and tones, and --memory allows 3" stderr
+ok $? "and says what a layer takes"
+
+# Who asks another verb is shown the way.
+for verb in info check trim slice render orient stand; do
+    exits 3 $verb cage.vtk
+    grep -q "cage.vtk is a cage or a mesh of cells, not a surface: 'sf grade'" stderr
+    ok $? "and names sf grade"
+done
+exits 3 preserve scene:garden --remove cage.vtk --resolution 24
+grep -q "cage.vtk is a cage" stderr
+ok $? "and so does a mask"
+sed 's/UNSTRUCTURED_GRID/POLYDATA/' cage.vtk >polydata.vtk
+exits 3 check polydata.vtk
+grep -q "sf grade" stderr
+same $? 1 "which cannot take VTK of another kind"
+awk '/^CELLS/ { print "CELLS 2 10\n4 0 1 6 5\n4 1 2 7 6\nCELL_TYPES 2\n9 9"; skip = 1 }
+    /^POINT_DATA/ { skip = 0 } !skip { print }' cage.vtk >surface.vtk
+exits 3 grade surface.vtk -o none
+grep -q "surface.vtk is a surface; only a solid can be graded" stderr
+ok $? "and says so"
 
 # What cannot be.
 exits 2 grade cage.vtk

@@ -39,6 +39,10 @@ for verb in run info check trim grow repair preserve hollow stand grade refine t
     run help $verb
     cmp -s stdout asked
     ok $? "sf help $verb says the same"
+    run $verb --help
+    says=no
+    grep -q 'status: 0 good, 1' stdout && says=yes
+    same $says "$(case $verb in info | grade | refine | exchange | slice | orient | render) echo no ;; *) echo yes ;; esac)" "$verb --help says what 1 means where there is such an end"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
         refine* | tetra* | exchange* | info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;
