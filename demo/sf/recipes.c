@@ -160,10 +160,10 @@ static void warn_of_air(const step *s, size_t touched)
 static exit_status select_brush(const step *s, const json_t *says, int is_ball)
 {
     size_t touched = 0;
-    static const char *const falloffs[] = {"constant", "linear", "smooth"};
+    static const char *const falloffs[] = {"constant", "linear", "smooth", "gaussian"};
     static const char *const wheres[] = {"all", "outside", "inside"};
     sf_paint_brush b = sf_paint_brush_default();
-    int falloff = json_get_choice(says, "falloff", falloffs, 3, SF_FALLOFF_SMOOTH);
+    int falloff = json_get_choice(says, "falloff", falloffs, 4, SF_FALLOFF_SMOOTH);
     int where = json_get_choice(says, "where", wheres, 3, SF_PAINT_ALL);
     int good = json_has_only(says, brush_keys, sizeof brush_keys / sizeof brush_keys[0]) &&
                json_object_get(says, "radius_mm") != NULL &&
@@ -184,7 +184,8 @@ static exit_status select_brush(const step *s, const json_t *says, int is_ball)
     if (!good || sf_paint_select(s->cage, &b, s->weights, &touched) != SF_OK) {
         return fail(
             s, "a ball has at_mm, a capsule from_mm and to_mm, both a radius_mm above 0, and may "
-               "have a strength (above 0, at most 1), a falloff (constant, linear, smooth) and "
+               "have a strength (above 0, at most 1), a falloff (constant, linear, smooth, "
+               "gaussian) and "
                "where (all, outside, inside).");
     }
     warn_of_air(s, touched);

@@ -3,6 +3,7 @@
 
 #include "grade/paint/weights.h"
 
+#include "base/math.h"
 #include "base/status.h"
 
 #include <math.h>
@@ -22,8 +23,7 @@ static int is_brush(const sf_paint_brush *b)
         }
     }
     return b->struct_size == sizeof *b && b->radius_mm > 0 && b->strength > 0 && b->strength <= 1 &&
-           (b->falloff == SF_FALLOFF_CONSTANT || b->falloff == SF_FALLOFF_LINEAR ||
-            b->falloff == SF_FALLOFF_SMOOTH) &&
+           (unsigned)b->falloff <= SF_FALLOFF_GAUSSIAN &&
            (b->where == SF_PAINT_ALL || b->where == SF_PAINT_OUTSIDE ||
             b->where == SF_PAINT_INSIDE);
 }
@@ -57,16 +57,26 @@ static double distance(const sf_paint_brush *b, const double *p)
     return sqrt(sum);
 }
 
+// At t, 0 to 1. A Gaussian has no rim; what it has left at three standard deviations is taken off,
+// so that nothing jumps there.
+static double fall(sf_falloff falloff, double t)
+{
+    switch (falloff) {
+    case SF_FALLOFF_CONSTANT:
+        return 1;
+    case SF_FALLOFF_LINEAR:
+        return 1 - t;
+    case SF_FALLOFF_SMOOTH:
+        return 1 - t * t * (3 - 2 * t);
+    default:
+        return (sfi_exp(-4.5 * t * t) - sfi_exp(-4.5)) / (1 - sfi_exp(-4.5));
+    }
+}
+
 static double weigh(const sf_paint_brush *b, const double *p)
 {
     double t = distance(b, p) / b->radius_mm;
-    if (!(t <= 1)) {
-        return 0;
-    }
-    double fall = b->falloff == SF_FALLOFF_CONSTANT ? 1
-                  : b->falloff == SF_FALLOFF_LINEAR ? 1 - t
-                                                    : 1 - t * t * (3 - 2 * t);
-    return b->strength * fall;
+    return t <= 1 ? b->strength * fall(b->falloff, t) : 0;
 }
 
 sf_status sf_paint_select(const sf_cage *cage, const sf_paint_brush *brush, double *weights,

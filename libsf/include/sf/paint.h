@@ -19,7 +19,9 @@ extern "C" {
 typedef enum sf_falloff {
     SF_FALLOFF_CONSTANT = 0, /**< 1 up to the radius */
     SF_FALLOFF_LINEAR = 1,   /**< 1 - t */
-    SF_FALLOFF_SMOOTH = 2    /**< 1 - 3 t^2 + 2 t^3 */
+    SF_FALLOFF_SMOOTH = 2,   /**< 1 - 3 t^2 + 2 t^3 */
+    SF_FALLOFF_GAUSSIAN = 3  /**< (g(t) - g(1)) / (1 - g(1)), g(t) = exp(-9 t^2 / 2): a bell whose
+                                  standard deviation is a third of the radius, 0 at the rim */
 } sf_falloff;
 
 /** Which points a brush takes. */

@@ -50,7 +50,7 @@ static void brushes_weigh_by_distance(void)
         }
         b.radius_mm = 0.3 + 2 * test_random_unit();
         b.strength = round % 2 ? 1 : 0.5;
-        b.falloff = (sf_falloff)(round % 3);
+        b.falloff = (sf_falloff)(round % 4);
         b.where = (sf_paint_where)(round / 3 % 3);
         CHECK_EQ(sf_paint_select(cage, &b, weights, &touched), SF_OK);
         for (size_t i = 0; i < c.points; i++) {
@@ -60,7 +60,9 @@ static void brushes_weigh_by_distance(void)
                 p[0] == 0 || p[0] == 4 || p[1] == 0 || p[1] == 3 || p[2] == 0 || p[2] == 3;
             double w = b.falloff == SF_FALLOFF_CONSTANT ? 1
                        : b.falloff == SF_FALLOFF_LINEAR ? 1 - t
-                                                        : 1 - 3 * t * t + 2 * t * t * t;
+                       : b.falloff == SF_FALLOFF_SMOOTH
+                           ? 1 - 3 * t * t + 2 * t * t * t
+                           : (exp(-9 * t * t / 2) - exp(-4.5)) / (1 - exp(-4.5));
             w = t > 1 || (b.where == SF_PAINT_OUTSIDE && !outside) ||
                         (b.where == SF_PAINT_INSIDE && outside)
                     ? 0
@@ -198,6 +200,9 @@ static void what_cannot_be_is_refused_and_changes_nothing(void)
     b.strength = 1.5;
     CHECK_EQ(sf_paint_select(cage, &b, weights, NULL), SF_ERR_ARGUMENT);
     b.strength = 0.25;
+    b.falloff = (sf_falloff)4;
+    CHECK_EQ(sf_paint_select(cage, &b, weights, NULL), SF_ERR_ARGUMENT);
+    b.falloff = SF_FALLOFF_GAUSSIAN;
     b.to_mm[0] = 1e200; // what is that long has no place for its points
     CHECK_EQ(sf_paint_select(cage, &b, weights, NULL), SF_ERR_ARGUMENT);
     b.to_mm[0] = -1e12;
