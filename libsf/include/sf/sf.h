@@ -10,6 +10,7 @@
 #include <sf/body.h>
 #include <sf/cage.h>
 #include <sf/cage_build.h>
+#include <sf/cage_history.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
 #include <sf/density.h>
