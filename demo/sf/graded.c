@@ -26,12 +26,14 @@ typedef struct press {
     graded *made;
     sf_limit *limit;
     sf_sampler *sampler;
-    sf_mask *mask; // NULL: the built-in one
+    shells keep;     // what is kept away from the surface
+    sf_shell *shell; // where that is; NULL: nothing is
+    sf_mask *mask;   // NULL: the built-in one
     sf_halftone *halftone;
     sf_diffuser *diffuser;
     sf_directory *directory;
     sf_layers *layers;
-    sf_grid *grid; // of one layer: what is solid
+    sf_grid *grid; // of a layer: what is solid, and what is near the surface
     double *values[MATERIALS_PROPERTIES_MAX];
     double *tones[MATERIALS_MAX];
     uint8_t *ids;
@@ -54,6 +56,7 @@ static void free_press(press *p)
     sf_diffuser_destroy(p->diffuser);
     sf_halftone_destroy(p->halftone);
     sf_mask_destroy(p->mask);
+    sf_shell_destroy(p->shell);
     sf_sampler_destroy(p->sampler);
     sf_limit_destroy(p->limit);
 }
@@ -106,13 +109,14 @@ static exit_status fail_shape(cli_job *job, const solid_input *in)
 }
 
 // Refuse layers that take more memory than --memory allows. Of the stack one layer is held: what
-// set_up_planes() takes, and what the sampler remembers of a row.
+// set_up_planes() takes, and a shell's slices.
 static exit_status check_memory(const press *p)
 {
     const sf_lattice *l = &p->made->lattice;
     const cli_options *asked = &p->job->options;
     double plane = (double)l->nx * l->ny, numbers = (double)p->m->property_count + p->m->count;
-    double bytes = plane * (8 * numbers + 1) + 8.0 * (double)sf_slice_stride(l->nx) * l->ny;
+    double slices = p->keep.count > 0 ? 2 * p->keep.distance_mm / l->layer_mm + 8 : 2;
+    double bytes = plane * (8 * numbers + 1) + slices * 8 * (double)sf_slice_stride(l->nx) * l->ny;
     if (asked->picture != NULL) {
         bytes += grade_picture_bytes(l);
     }
@@ -157,6 +161,26 @@ static exit_status set_up_shape(press *p, const solid_input *in, const size_t *c
     return status == SF_OK ? EXIT_GOOD : fail_call(p->job, status, &fault);
 }
 
+// Where the shell is, taking from the surface as it is cut: as much farther as that may be off.
+static exit_status set_up_shell(press *p)
+{
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    const char *option = p->job->options.given & OPTION_SHELL ? "--shell" : "--keep-out";
+    if (p->keep.count == 0) {
+        return EXIT_GOOD;
+    }
+    double distance = p->keep.distance_mm + p->made->surface_error_mm;
+    sf_status status = sf_shell_create(sf_sampler_surface(p->sampler, NULL), &p->made->lattice,
+                                       distance, NULL, &p->shell, &fault);
+    if (status == SF_ERR_OVERFLOW) {
+        return job_fail(p->job, EXIT_USAGE,
+                        "%s reaches %g mm, which is more than 255 voxels; take a thinner one, or a "
+                        "coarser --pitch.",
+                        option, p->keep.distance_mm);
+    }
+    return status == SF_OK ? EXIT_GOOD : job_fail_call(p->job, status, &fault, option, EXIT_USAGE);
+}
+
 // The mask of a layer repeats after so many voxels: wider than the one that is built in, since the
 // spectrum of a wide one is rounder, for a quarter of a second.
 enum { MASK_WIDTH = 64 };
@@ -195,7 +219,7 @@ static int set_up_planes(press *p)
     size_t plane = (size_t)l->nx * l->ny;
     sf_lattice one = *l;
     int good = 1;
-    one.nz = 1;
+    one.nz = 2;
     for (size_t i = 0; i < p->m->property_count; i++) {
         p->values[i] = malloc(plane * sizeof(double));
         good = good && p->values[i] != NULL;
@@ -245,6 +269,27 @@ static void mix(press *p, sf_slice solid)
     }
 }
 
+// Which solid voxels of a layer are near the surface.
+static sf_status find_shell(press *p, uint32_t k, sf_slice solid)
+{
+    sf_slice near = sf_grid_slice(p->grid, 1);
+    sf_slice_sums sums;
+    sf_status status = sf_shell_slice(p->shell, k, near);
+    if (status == SF_OK) {
+        status = sf_slice_and(near, solid, near);
+    }
+    if (status == SF_OK) {
+        status = sf_slice_measure(near, &sums);
+    }
+    if (status == SF_OK) {
+        p->made->shell += sums.count;
+        for (size_t i = 0; i < p->keep.count; i++) {
+            p->keep.outs[i].where = near;
+        }
+    }
+    return status;
+}
+
 static sf_status halftone(press *p, uint32_t k, sf_slice solid)
 {
     sf_tone_plane planes[MATERIALS_MAX];
@@ -254,6 +299,14 @@ static sf_status halftone(press *p, uint32_t k, sf_slice solid)
     }
     sf_tones tones;
     memset(&tones, 0, sizeof tones);
+    if (p->shell != NULL) {
+        sf_status status = find_shell(p, k, solid);
+        if (status != SF_OK) {
+            return status;
+        }
+        tones.keep_outs = p->keep.outs;
+        tones.keep_out_count = p->keep.count;
+    }
     tones.struct_size = sizeof tones;
     tones.width = solid.width;
     tones.height = solid.height;
@@ -338,6 +391,10 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
     if (status != EXIT_GOOD) {
         return status;
     }
+    status = set_up_shell(p);
+    if (status != EXIT_GOOD) {
+        return status;
+    }
     sf_status made = set_up_mask(p);
     if (made != SF_OK) {
         return fail_mask(p, made);
@@ -364,13 +421,14 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
 }
 
 exit_status graded_write(cli_job *job, const solid_input *in, const size_t *channels, materials *m,
-                         const char *path, graded *made)
+                         const shells *shell, const char *path, graded *made)
 {
     press p;
     memset(&p, 0, sizeof p);
     memset(made, 0, sizeof *made);
     p.job = job;
     p.m = m;
+    p.keep = *shell;
     p.made = made;
     exit_status status = run(&p, in, channels, path);
     free_press(&p);

@@ -40,6 +40,11 @@ static const option_entry table[] = {
     {OPTION_MASK, "mask", 0, "KIND",
      "slice (default: even in each layer), isotropic (even in the solid) or diffuse (errors go "
      "on)"},
+    {OPTION_SHELL, "shell", 0, "MM[,MATERIAL]",
+     "all that is within MM of the surface is of that material (default: the first)"},
+    {OPTION_KEEP_OUT, "keep-out", 0, "MM,MATERIAL[,INSTEAD]",
+     "a material comes no nearer to the surface; another takes its place (default: the first other "
+     "one)"},
     {OPTION_STEPS, "steps", 0, "N", "steps of refinement, 1 to 6 (default 2)"},
     {OPTION_SEPARABLE, "separable", 0, NULL,
      "where the cage is extruded, cross sections are those of surfaces"},
@@ -109,6 +114,8 @@ static int check_together(const cli_options *made, char *message, size_t size)
         why = "--pitch and --resolution both say how large a voxel is; give one of them";
     } else if ((made->given & OPTION_SCALE) && (made->given & OPTION_SIZE)) {
         why = "--scale and --size both say how large the part is; give one of them";
+    } else if ((made->given & OPTION_SHELL) && (made->given & OPTION_KEEP_OUT)) {
+        why = "--shell and --keep-out both say what the surface is of; give one of them";
     } else if (made->rule == SF_RULE_BOX3 && (made->given & OPTION_ANGLE)) {
         why = "the rule box3 takes no angle: leave out --angle, or use --rule octagon";
     }

@@ -69,6 +69,8 @@
 #define OPTION_STEPS (UINT64_C(1) << 54)
 #define OPTION_SEPARABLE (UINT64_C(1) << 55)
 #define OPTION_PAINT (UINT64_C(1) << 56)
+#define OPTION_SHELL (UINT64_C(1) << 57)
+#define OPTION_KEEP_OUT (UINT64_C(1) << 58)
 
 // How tones become materials.
 typedef enum cli_mask { CLI_MASK_SLICE, CLI_MASK_ISOTROPIC, CLI_MASK_DIFFUSE } cli_mask;
@@ -115,6 +117,8 @@ typedef struct cli_options {
     int printing;    // whether it is asked if it topples
     cli_mask mask;
     uint32_t steps; // of refinement
+    double shell_mm;
+    const char *shell; // what --shell or --keep-out names, or NULL
     stand_values stand;
 } cli_options;
 

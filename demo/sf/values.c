@@ -205,6 +205,17 @@ static int parse_mask(const char *text, cli_options *made)
     return 0;
 }
 
+// A length above 0, and names behind it.
+static int parse_shell(const char *text, int wants_name, cli_options *made)
+{
+    char *end;
+    errno = 0;
+    made->shell_mm = strtod(text, &end);
+    made->shell = *end == ',' ? end + 1 : NULL;
+    return end != text && errno == 0 && isfinite(made->shell_mm) && made->shell_mm > 0 &&
+           (made->shell != NULL ? made->shell[0] != '\0' : *end == '\0' && !wants_name);
+}
+
 // Files and names that options give.
 static int parse_file(uint64_t bit, const char *text, cli_options *made)
 {
@@ -305,6 +316,9 @@ int values_parse(uint64_t bit, const char *text, cli_options *made)
         return parse_fill(text, made);
     case OPTION_VIEW:
         return parse_view(text, made);
+    case OPTION_SHELL:
+    case OPTION_KEEP_OUT:
+        return parse_shell(text, bit == OPTION_KEEP_OUT, made);
     case OPTION_PIXELS:
         return parse_pixels(text, made);
     case OPTION_SCALE:

@@ -138,6 +138,10 @@ static void report_fields(cli_job *job, const solid_input *in, const materials *
     report_count(r, "filled_voxels", g->voxels.filled);
     report_count(r, "missed_voxels", g->missed);
     report_number(r, "worst_miss", g->worst_miss);
+    if (job->options.given & (OPTION_SHELL | OPTION_KEEP_OUT)) {
+        report_number(r, "shell_mm", job->options.shell_mm);
+        report_count(r, "shell_voxels", g->shell);
+    }
     report_materials(job, m, g);
     report_text(r, "output", job->options.output);
     if (job->options.picture != NULL) {
@@ -175,10 +179,14 @@ static void say(cli_job *job, const materials *m, const graded *g)
 static exit_status grade(cli_job *job, const solid_input *in, materials *m)
 {
     graded g;
+    shells shell;
     size_t channels[MATERIALS_PROPERTIES_MAX];
     exit_status status = choose(job, in, m, channels);
     if (status == EXIT_GOOD) {
-        status = graded_write(job, in, channels, m, job->options.output, &g);
+        status = shells_choose(job, m, &shell);
+    }
+    if (status == EXIT_GOOD) {
+        status = graded_write(job, in, channels, m, &shell, job->options.output, &g);
     }
     if (status == EXIT_GOOD) {
         report_fields(job, in, m, &g);

@@ -95,9 +95,11 @@ const verb_entry verbs_table[] = {
     {{"grade", "a solid of mixed materials from a cage, as layers", "SOLID", 0,
       OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |
           OPTION_MEMORY | OPTION_PAINT | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK |
-          OPTION_SEPARABLE | OPTION_PICTURE | OPTION_PIXELS | HOST_OPTIONS,
+          OPTION_SEPARABLE | OPTION_SHELL | OPTION_KEEP_OUT | OPTION_PICTURE | OPTION_PIXELS |
+          HOST_OPTIONS,
       "  sf grade cage.vtk -o graded\n"
       "  sf grade cage.vtk --materials materials.json --pitch 0.0423,0.0846,0.027 -o graded\n"
+      "  sf grade cage.vtk --shell 0.2,low -o graded\n"
       "  sf grade cage.vtk --paint recipe.json -o graded --picture graded.png\n"
       "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
       "folder for the layers", NULL},

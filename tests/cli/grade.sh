@@ -86,6 +86,52 @@ exits 3 grade surface.vtk -o none
 grep -q "surface.vtk is a surface; only a solid can be graded" stderr
 ok $? "and says so"
 
+# Shells: a box of 20 voxels each way, all of it soft, whose surface lies on sides of voxels. Those on
+# both sides of it are touched; a voxel belongs to the shell if its side is less than 1.2 mm from
+# theirs, so that the shell is four voxels thick.
+cat >tets.vtk <<'END'
+# vtk DataFile Version 3.0
+box
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 8 double
+0 0 0 10 0 0 0 10 0 10 10 0 0 0 10 10 0 10 0 10 10 10 10 10
+CELLS 6 30
+4 0 1 3 7
+4 0 3 2 7
+4 0 2 6 7
+4 0 6 4 7
+4 0 4 5 7
+4 0 5 1 7
+CELL_TYPES 6
+10 10 10 10 10 10
+POINT_DATA 8
+SCALARS stiffness double 1
+LOOKUP_TABLE default
+0 0 0 0 0 0 0 0
+END
+exits 0 grade tets.vtk --pitch 0.5 --materials three.json --shell 1.2,hard -o shell --json
+same "$(value solid_voxels) $(value shell_voxels) $(value materials.0.voxels) $(value materials.2.voxels)" \
+    "8000 6272 1728 6272" "a shell of one material, and what is within"
+exits 0 grade tets.vtk --pitch 0.5 --materials three.json --keep-out 1.2,soft,hard -o out --json
+same "$(value materials.0.voxels) $(value materials.2.voxels)" "1728 6272" "one that is kept out, and which is there instead"
+cmp -s shell/layer_00007.png out/layer_00007.png
+ok $? "the same picture"
+exits 0 grade tets.vtk --pitch 0.5 --materials three.json --keep-out 1.2,soft -o out --json
+same "$(value materials.1.voxels)" 6272 "the first other one, where none is named"
+exits 0 grade tets.vtk --pitch 0.5 --materials three.json --shell 9 --mask diffuse -o out --json
+same "$(value materials.0.voxels)" 8000 "a shell as thick as the solid"
+exits 2 grade tets.vtk --pitch 0.5 --shell 1.2,clay -o none
+grep -q "'clay' names no material; there are 'low', 'high'" stderr
+ok $? "and says which there are"
+exits 2 grade tets.vtk --pitch 0.5 --keep-out 1.2 -o none
+exits 2 grade tets.vtk --pitch 0.5 --keep-out 1.2,low,low -o none
+exits 2 grade tets.vtk --pitch 0.5 --shell -1 -o none
+exits 2 grade tets.vtk --pitch 0.5 --shell 200 -o none
+grep -q "more than 255 voxels" stderr
+ok $? "and says how far it may reach"
+exits 2 grade tets.vtk --pitch 0.5 --shell 1 --keep-out 1,low -o none
+
 # What cannot be.
 exits 2 grade cage.vtk
 exits 3 grade cage.vtk --property nothing -o none
