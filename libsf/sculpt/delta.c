@@ -156,14 +156,14 @@ int sfi_delta_write(sf_sculpt *m)
         !materials_differ(m, &t->material)) {
         return 0;
     }
-    sfi_step_writer step = sfi_history_begin(&m->history);
+    sfi_step_writer step = sfi_ring_begin(&m->history);
     sfi_step_put(&step, m->options.keep_drawn ? 0 : DRAWN_IS_PRINTABLE);
     put_bits(&step, m->now.printable, m->before.printable, &t->printable);
     if (m->options.keep_drawn) {
         put_bits(&step, m->now.drawn, m->before.drawn, &t->drawn);
     }
     put_materials(m, &step, &t->material);
-    sfi_history_end(&step);
+    sfi_ring_end(&step);
     return 1;
 }
 

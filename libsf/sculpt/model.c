@@ -235,7 +235,7 @@ const uint8_t *sf_sculpt_materials(const sf_sculpt *model)
 
 sf_sculpt_history sf_sculpt_history_of(const sf_sculpt *model)
 {
-    const sfi_history *h = &model->history;
+    const sfi_ring *h = &model->history;
     sf_sculpt_history history = {h->undo_count, h->redo_count, (size_t)(h->end - h->first),
                                  h->forgotten_count};
     return history;

@@ -12,7 +12,7 @@
 #include <sf/sculpt.h>
 
 #include "sculpt/arena.h"
-#include "sculpt/history.h"
+#include "sculpt/ring.h"
 #include "voxel/area.h"
 
 typedef struct sfi_state {
@@ -38,7 +38,7 @@ struct sf_sculpt {
     sf_grid *grown;         // add-grow: paths, and the tips along them
     sf_path_finder *finder; // on before.printable
     sf_voxel *path;         // a place for each layer
-    sfi_history history;
+    sfi_ring history;
     // The stroke that is under way.
     int is_under_way;
     sf_brush brush;

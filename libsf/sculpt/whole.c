@@ -102,7 +102,7 @@ sf_status sf_sculpt_undo(sf_sculpt *model, sf_sculpt_change *change)
     if (model->history.undo_count == 0) {
         return SF_ERR_INFEASIBLE;
     }
-    step(model, sfi_history_back(&model->history), change);
+    step(model, sfi_ring_back(&model->history), change);
     return SF_OK;
 }
 
@@ -114,6 +114,6 @@ sf_status sf_sculpt_redo(sf_sculpt *model, sf_sculpt_change *change)
     if (model->history.redo_count == 0) {
         return SF_ERR_INFEASIBLE;
     }
-    step(model, sfi_history_forward(&model->history), change);
+    step(model, sfi_ring_forward(&model->history), change);
     return SF_OK;
 }

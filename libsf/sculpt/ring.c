@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: MIT
-// History: steps that can be taken back and done again, in a ring of bytes.
+// Ring: the steps of a history in a ring of bytes, which takes no more memory than it was given.
 //
 // A step is a row of numbers (what they mean is delta.c's affair), between two copies of its
 // length, so that it can be found from either end. Where the ring is full the oldest steps are
 // forgotten, one after the other, while the new one is written; a step that is larger than the ring
 // leaves it empty.
 
-#include "sculpt/history.h"
+#include "sculpt/ring.h"
 
 // Bytes of a length, before and after each step.
 #define LENGTH_SIZE 8u
 
-static uint8_t *place(const sfi_history *h, uint64_t at)
+static uint8_t *place(const sfi_ring *h, uint64_t at)
 {
     return h->bytes + at % h->capacity;
 }
 
 // The place after one.
-static uint8_t *next(const sfi_history *h, uint8_t *at)
+static uint8_t *next(const sfi_ring *h, uint8_t *at)
 {
     return at + 1 < h->bytes + h->capacity ? at + 1 : h->bytes;
 }
 
-static void put_length(const sfi_history *h, uint64_t at, uint64_t length)
+static void put_length(const sfi_ring *h, uint64_t at, uint64_t length)
 {
     for (unsigned i = 0; i < LENGTH_SIZE; i++) {
         *place(h, at + i) = (uint8_t)(length >> 8 * i);
     }
 }
 
-static uint64_t get_length(const sfi_history *h, uint64_t at)
+static uint64_t get_length(const sfi_ring *h, uint64_t at)
 {
     uint64_t length = 0;
     for (unsigned i = 0; i < LENGTH_SIZE; i++) {
@@ -38,7 +38,7 @@ static uint64_t get_length(const sfi_history *h, uint64_t at)
     return length;
 }
 
-static void forget_all(sfi_history *history)
+static void forget_all(sfi_ring *history)
 {
     history->forgotten_count += history->undo_count;
     history->first = history->here = history->end = 0;
@@ -52,7 +52,7 @@ static void forget_all(sfi_history *history)
 // Room for one more byte, by forgetting.
 static void make_room(sfi_step_writer *w)
 {
-    sfi_history *h = w->history;
+    sfi_ring *h = w->history;
     while (!w->is_full && w->at + 1 - h->first > h->capacity) {
         if (h->undo_count == 0) {
             w->is_full = 1;
@@ -74,7 +74,7 @@ static void put_byte(sfi_step_writer *w, uint8_t byte)
     }
 }
 
-sfi_step_writer sfi_history_begin(sfi_history *history)
+sfi_step_writer sfi_ring_begin(sfi_ring *history)
 {
     history->end = history->here;
     history->redo_count = 0;
@@ -94,9 +94,9 @@ void sfi_step_put(sfi_step_writer *writer, uint64_t number)
     put_byte(writer, (uint8_t)number);
 }
 
-void sfi_history_end(sfi_step_writer *writer)
+void sfi_ring_end(sfi_step_writer *writer)
 {
-    sfi_history *h = writer->history;
+    sfi_ring *h = writer->history;
     uint64_t length = writer->at - h->here - LENGTH_SIZE;
     for (unsigned i = 0; i < LENGTH_SIZE; i++) {
         put_byte(writer, (uint8_t)(length >> 8 * i));
@@ -115,7 +115,7 @@ void sfi_history_end(sfi_step_writer *writer)
 // Reading
 // ---------------------------------------------------------------------------------------------
 
-sfi_step_reader sfi_history_back(sfi_history *history)
+sfi_step_reader sfi_ring_back(sfi_ring *history)
 {
     history->here -= get_length(history, history->here - LENGTH_SIZE) + 2 * LENGTH_SIZE;
     history->undo_count--;
@@ -124,7 +124,7 @@ sfi_step_reader sfi_history_back(sfi_history *history)
     return reader;
 }
 
-sfi_step_reader sfi_history_forward(sfi_history *history)
+sfi_step_reader sfi_ring_forward(sfi_ring *history)
 {
     sfi_step_reader reader = {history, place(history, history->here + LENGTH_SIZE)};
     history->here += get_length(history, history->here) + 2 * LENGTH_SIZE;

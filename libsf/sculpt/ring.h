@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// History: steps that can be taken back and done again, in a ring of bytes.
+// Ring: the steps of a history in a ring of bytes, which takes no more memory than it was given.
 
-#ifndef SF_SCULPT_HISTORY_H
-#define SF_SCULPT_HISTORY_H
+#ifndef SF_SCULPT_RING_H
+#define SF_SCULPT_RING_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -10,16 +10,16 @@
 // Steps lie one after the other in a ring: what can be undone from `first` to `here`, what can be
 // done again from there to `end`. The three only grow; a place in the ring is one of them modulo
 // the capacity.
-typedef struct sfi_history {
+typedef struct sfi_ring {
     uint8_t *bytes;
     size_t capacity;
     uint64_t first, here, end;
     size_t undo_count, redo_count, forgotten_count;
-} sfi_history;
+} sfi_ring;
 
 // A step being written: begins at `here`, and takes the place of what could be done again.
 typedef struct sfi_step_writer {
-    sfi_history *history;
+    sfi_ring *history;
     uint64_t at;
     uint8_t *place; // of `at` in the ring
     int is_full;    // it does not fit, even alone
@@ -27,17 +27,17 @@ typedef struct sfi_step_writer {
 
 // A step being read.
 typedef struct sfi_step_reader {
-    const sfi_history *history;
+    const sfi_ring *history;
     uint8_t *place;
 } sfi_step_reader;
 
-sfi_step_writer sfi_history_begin(sfi_history *history);
+sfi_step_writer sfi_ring_begin(sfi_ring *history);
 void sfi_step_put(sfi_step_writer *writer, uint64_t number); // 7 bits a byte
-void sfi_history_end(sfi_step_writer *writer);
+void sfi_ring_end(sfi_step_writer *writer);
 
 // The step before `here`, or the one after it, which must be there; moving `here` past it.
-sfi_step_reader sfi_history_back(sfi_history *history);
-sfi_step_reader sfi_history_forward(sfi_history *history);
+sfi_step_reader sfi_ring_back(sfi_ring *history);
+sfi_step_reader sfi_ring_forward(sfi_ring *history);
 uint64_t sfi_step_get(sfi_step_reader *reader);
 
 #endif
