@@ -105,20 +105,7 @@ static int is_good(GLuint object, int is_program, char *log, size_t log_size)
     return good;
 }
 
-static GLuint link_alone(GLuint shader, char *log, size_t log_size)
-{
-    GLuint program = glCreateProgram();
-    glAttachShader(program, shader);
-    glLinkProgram(program);
-    glDetachShader(program, shader);
-    if (is_good(program, 1, log, log_size)) {
-        return program;
-    }
-    glDeleteProgram(program);
-    return 0;
-}
-
-unsigned gl_compute_program(const char *name, char *log, size_t log_size)
+static GLuint compile(GLenum kind, const char *name, char *log, size_t log_size)
 {
     text t = {.bytes = NULL};
     append(&t, "#version 450\n");
@@ -129,14 +116,57 @@ unsigned gl_compute_program(const char *name, char *log, size_t log_size)
         free(t.bytes);
         return 0;
     }
-    GLuint shader = glCreateShader(GL_COMPUTE_SHADER), program = 0;
+    GLuint shader = glCreateShader(kind);
     const char *source = t.bytes;
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
+    free(t.bytes);
     if (is_good(shader, 0, log, log_size)) {
-        program = link_alone(shader, log, log_size);
+        return shader;
     }
     glDeleteShader(shader);
-    free(t.bytes);
+    return 0;
+}
+
+// A program of shaders, which go; 0 where one of them is 0.
+static GLuint link_all(const GLuint *shaders, int count, char *log, size_t log_size)
+{
+    int is_whole = 1;
+    GLuint program = glCreateProgram();
+    for (int i = 0; i < count; i++) {
+        is_whole = is_whole && shaders[i] != 0;
+        if (shaders[i] != 0) {
+            glAttachShader(program, shaders[i]);
+        }
+    }
+    if (is_whole) {
+        glLinkProgram(program);
+        is_whole = is_good(program, 1, log, log_size);
+    }
+    for (int i = 0; i < count; i++) {
+        if (shaders[i] != 0) {
+            glDetachShader(program, shaders[i]);
+            glDeleteShader(shaders[i]);
+        }
+    }
+    if (!is_whole) {
+        glDeleteProgram(program);
+        program = 0;
+    }
     return program;
+}
+
+unsigned gl_compute_program(const char *name, char *log, size_t log_size)
+{
+    GLuint shader = compile(GL_COMPUTE_SHADER, name, log, log_size);
+    return link_all(&shader, 1, log, log_size);
+}
+
+unsigned gl_draw_program(const char *vertex, const char *fragment, char *log, size_t log_size)
+{
+    GLuint shaders[2] = {compile(GL_VERTEX_SHADER, vertex, log, log_size), 0};
+    if (shaders[0] != 0) {
+        shaders[1] = compile(GL_FRAGMENT_SHADER, fragment, log, log_size);
+    }
+    return link_all(shaders, 2, log, log_size);
 }

@@ -10,4 +10,7 @@
 // why, cut to its size.
 unsigned gl_compute_program(const char *name, char *log, size_t log_size);
 
+// The same of a vertex and a fragment shader.
+unsigned gl_draw_program(const char *vertex, const char *fragment, char *log, size_t log_size);
+
 #endif

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// What a person begins with: an empty bed, a mesh, a scene.
+
+#include "open.h"
+
+#include <sf/io.h>
+#include <stdio.h>
+
+#include "scene.h"
+
+// How much of the space's width a mesh may take.
+#define SHARE 0.75
+
+static void *fail(char why[APP_WHY_SIZE], const char *what, const char *reason)
+{
+    snprintf(why, APP_WHY_SIZE, "%s%s%s", what, *what != '\0' ? ": " : "", reason);
+    return NULL;
+}
+
+static sf_sculpt *create(uint32_t resolution, double pitch_mm, char why[APP_WHY_SIZE])
+{
+    sf_sculpt *model = NULL;
+    sf_sculpt_options options = sf_sculpt_options_default();
+    sf_lattice lattice = {
+        resolution, resolution,
+        resolution, pitch_mm,
+        pitch_mm,   pitch_mm,
+        NULL,       {-0.5 * resolution * pitch_mm, -0.5 * resolution * pitch_mm, 0}};
+    options.lattice = lattice;
+    sf_status status = sf_sculpt_create(&options, NULL, &model);
+    return status == SF_OK ? model : fail(why, "", sf_status_message(status));
+}
+
+sf_sculpt *app_open_empty(uint32_t resolution, char why[APP_WHY_SIZE])
+{
+    return create(resolution, 0.25, why);
+}
+
+// A model of a shape that `draw` makes; the model goes where it fails.
+static sf_sculpt *fill(sf_sculpt *model, const char *name,
+                       sf_status (*draw)(void *user, sf_grid *grid), void *user,
+                       char why[APP_WHY_SIZE])
+{
+    sf_grid *grid = NULL;
+    if (model == NULL) {
+        return NULL;
+    }
+    sf_lattice lattice = sf_sculpt_options_of(model).lattice;
+    sf_status status = sf_grid_create(&lattice, NULL, &grid);
+    if (status == SF_OK) {
+        status = draw(user, grid);
+    }
+    if (status == SF_OK) {
+        status = sf_sculpt_replace(model, grid, NULL, NULL);
+    }
+    sf_grid_destroy(grid);
+    if (status != SF_OK) {
+        sf_sculpt_destroy(model);
+        return fail(why, name, sf_status_message(status));
+    }
+    return model;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Scenes
+// ---------------------------------------------------------------------------------------------
+
+static sf_status draw_scene(void *user, sf_grid *grid)
+{
+    const char *name = user;
+    double size[3];
+    sf_lattice l = sf_grid_lattice(grid), moved = l;
+    sf_grid *there = NULL;
+    if (!scene_size(name, size)) {
+        return SF_ERR_ARGUMENT;
+    }
+    moved.origin_mm[0] += 0.5 * size[0]; // scenes begin at 0
+    moved.origin_mm[1] += 0.5 * size[1];
+    sf_status status = sf_grid_create(&moved, NULL, &there);
+    if (status == SF_OK) {
+        status = scene_draw(name, there, NULL);
+    }
+    for (uint32_t z = 0; status == SF_OK && z < l.nz; z++) {
+        status = sf_slice_copy(sf_grid_slice(grid, z), sf_grid_slice(there, z));
+    }
+    sf_grid_destroy(there);
+    return status;
+}
+
+sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
+{
+    double size[3], longest;
+    char copy[64];
+    if (!scene_size(name, size)) {
+        return fail(why, name, "there is no such scene; there is garden");
+    }
+    longest = size[0] > size[1] ? size[0] : size[1];
+    longest = size[2] > longest ? size[2] : longest;
+    snprintf(copy, sizeof copy, "%s", name);
+    return fill(create(resolution, longest / (SHARE * resolution), why), name, draw_scene, copy,
+                why);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Meshes
+// ---------------------------------------------------------------------------------------------
+
+static sf_mesh *read_mesh(const char *path, char why[APP_WHY_SIZE])
+{
+    sf_file *file = NULL;
+    sf_mesh *mesh = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_file_open(path, NULL, &file, &fault);
+    if (status == SF_OK) {
+        status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL,
+                              &mesh, &fault);
+    }
+    sf_file_close(file);
+    return status == SF_OK
+               ? mesh
+               : fail(why, path,
+                      fault.message[0] != '\0' ? fault.message : sf_status_message(status));
+}
+
+static sf_status draw_mesh(void *user, sf_grid *grid)
+{
+    sf_mesh *mesh = user;
+    return sf_grid_voxelize(grid, sf_mesh_get_view(mesh), NULL, NULL, NULL, NULL);
+}
+
+sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE])
+{
+    double low[3], high[3], longest = 0;
+    sf_mesh *mesh = read_mesh(path, why);
+    sf_sculpt *model = NULL;
+    if (mesh == NULL) {
+        return NULL;
+    }
+    sf_transform move = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+    sf_status status = sf_mesh_bounds(sf_mesh_get_view(mesh), low, high);
+    for (int i = 0; status == SF_OK && i < 3; i++) {
+        longest = high[i] - low[i] > longest ? high[i] - low[i] : longest;
+        move.shift_mm[i] = i < 2 ? -0.5 * (low[i] + high[i]) : -low[i];
+    }
+    if (status == SF_OK) {
+        status = sf_mesh_transform(mesh, &move);
+    }
+    if (status != SF_OK || !(longest > 0)) {
+        fail(why, path, "the mesh has no size");
+    } else {
+        model = fill(create(resolution, longest / (SHARE * resolution), why), path, draw_mesh, mesh,
+                     why);
+    }
+    sf_mesh_destroy(mesh);
+    return model;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Hash
+// ---------------------------------------------------------------------------------------------
+
+// G. Fowler, L. C. Noll, K.-P. Vo, FNV-1a of 64 bits.
+static uint64_t add(uint64_t hash, uint64_t number, int bytes)
+{
+    for (int i = 0; i < bytes; i++) {
+        hash = (hash ^ (number >> 8 * i & 255)) * UINT64_C(0x100000001b3);
+    }
+    return hash;
+}
+
+static uint64_t add_grid(uint64_t hash, const sf_grid *grid)
+{
+    sf_lattice l = sf_grid_lattice(grid);
+    for (uint32_t z = 0; z < l.nz; z++) {
+        sf_slice s = sf_grid_slice(grid, z);
+        for (uint32_t y = 0; y < l.ny; y++) {
+            for (uint32_t i = 0; i < (l.nx + 63) / 64; i++) {
+                hash = add(hash, s.words[(size_t)y * s.stride + i], 8);
+            }
+        }
+    }
+    return hash;
+}
+
+uint64_t app_hash(const sf_sculpt *model)
+{
+    sf_lattice l = sf_sculpt_options_of(model).lattice;
+    const uint8_t *materials = sf_sculpt_materials(model);
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    hash = add_grid(hash, sf_sculpt_drawn(model));
+    hash = add_grid(hash, sf_sculpt_printable(model));
+    for (size_t i = 0; i < (size_t)l.nx * l.ny * l.nz; i++) {
+        hash = add(hash, materials[i], 1);
+    }
+    return hash;
+}

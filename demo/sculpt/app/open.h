@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What a person begins with: an empty bed, a mesh, a scene.
+
+#ifndef SCULPT_APP_OPEN_H
+#define SCULPT_APP_OPEN_H
+
+#include <sf/sculpt.h>
+
+#define APP_WHY_SIZE 320
+
+// An empty model in a cube of `resolution` voxels of 0.25 mm. NULL where that fails; `why` gets a
+// sentence.
+sf_sculpt *app_open_empty(uint32_t resolution, char why[APP_WHY_SIZE]);
+
+// A mesh, in the middle of the bed, as large as it is; voxels are as large as it takes. What of it
+// does not print without supports is left out. The model is new; NULL as above.
+sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE]);
+
+// A scene by its name.
+sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE]);
+
+// A number for a model: the same for the same bits and materials, and hardly for others.
+uint64_t app_hash(const sf_sculpt *model);
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// What the command line of sculpt asks for.
+
+#include "options.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <sf/base.h>
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+static const char help[] =
+    "sculpt: model shapes that print without supports\n"
+    "\n"
+    "usage: sculpt [options] [MESH]\n"
+    "\n"
+    "Opens a window on an empty bed, a mesh (STL, OBJ, PLY, OFF) or a scene. The shape prints\n"
+    "without supports after every stroke.\n"
+    "\n"
+    "  --scene NAME       begin with a scene: garden\n"
+    "  --resolution N     voxels along the longest side of the space, 32 to 512 (default 256)\n"
+    "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
+    "  --view AZ,EL       degrees around and above (default -60,25)\n"
+    "  --cut MM           show only what lies below that height\n"
+    "  --overhangs        show what leans on its neighbours\n"
+    "  --headless         no window; with --shot, --hash or --bench\n"
+    "  --shot FILE.png    write a picture\n"
+    "  --hash             print a number that is the same for the same model\n"
+    "  --bench            print what a frame takes\n"
+    "  --help, --version\n"
+    "\n"
+    "examples:\n"
+    "  sculpt part.stl\n"
+    "  sculpt --headless --scene garden --shot garden.png --hash\n"
+    "  sculpt --headless --scene garden --bench --size 1920x1080\n";
+
+static int read_pair(const char *text, char between, double *a, double *b)
+{
+    char *end;
+    *a = strtod(text, &end);
+    if (end == text || *end != between) {
+        return 0;
+    }
+    text = end + 1;
+    *b = strtod(text, &end);
+    return end != text && *end == '\0' && isfinite(*a) && isfinite(*b);
+}
+
+static int read_number(const char *text, double least, double most, double *number)
+{
+    char *end;
+    *number = strtod(text, &end);
+    return end != text && *end == '\0' && *number >= least && *number <= most;
+}
+
+// One option's argument; 0 where it makes no sense.
+static int take(app_options *o, int option, const char *text)
+{
+    double a = 0, b = 0;
+    switch (option) {
+    case 's':
+        o->scene = text;
+        return 1;
+    case 'o':
+        o->shot = text;
+        return 1;
+    case 'r':
+        if (!read_number(text, 32, 512, &a)) {
+            return 0;
+        }
+        o->resolution = (uint32_t)a;
+        return 1;
+    case 'z':
+        if (!read_pair(text, 'x', &a, &b) || a < 1 || b < 1 || a > 8192 || b > 8192) {
+            return 0;
+        }
+        o->width = (uint32_t)a;
+        o->height = (uint32_t)b;
+        return 1;
+    case 'v':
+        if (!read_pair(text, ',', &a, &b)) {
+            return 0;
+        }
+        o->azimuth = a * DEGREE;
+        o->elevation = b * DEGREE;
+        return 1;
+    default:
+        o->is_cut = 1;
+        return read_number(text, 0, 1e6, &o->cut_mm);
+    }
+}
+
+static app_asked check(const app_options *o)
+{
+    const char *why = NULL;
+    if (o->file != NULL && o->scene != NULL) {
+        why = "give a mesh or a --scene, not both";
+    } else if (!o->headless && (o->shot != NULL || o->hash || o->bench)) {
+        why = "--shot, --hash and --bench go with --headless";
+    } else if (o->headless && o->shot == NULL && !o->hash && !o->bench) {
+        why = "--headless does nothing alone: add --shot FILE.png, --hash or --bench";
+    }
+    if (why != NULL) {
+        fprintf(stderr, "sculpt: %s.\n", why);
+    }
+    return why != NULL ? APP_WRONG : APP_GO;
+}
+
+app_asked app_options_read(int argc, char **argv, app_options *options)
+{
+    static const struct option table[] = {{"scene", required_argument, NULL, 's'},
+                                          {"resolution", required_argument, NULL, 'r'},
+                                          {"size", required_argument, NULL, 'z'},
+                                          {"view", required_argument, NULL, 'v'},
+                                          {"cut", required_argument, NULL, 'c'},
+                                          {"overhangs", no_argument, NULL, 'g'},
+                                          {"headless", no_argument, NULL, 'H'},
+                                          {"shot", required_argument, NULL, 'o'},
+                                          {"hash", no_argument, NULL, 'x'},
+                                          {"bench", no_argument, NULL, 'b'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {"version", no_argument, NULL, 'V'},
+                                          {NULL, 0, NULL, 0}};
+    app_options o = {.resolution = 256,
+                     .width = 1280,
+                     .height = 800,
+                     .azimuth = -60 * DEGREE,
+                     .elevation = 25 * DEGREE};
+    for (int c; (c = getopt_long(argc, argv, "h", table, NULL)) != -1;) {
+        switch (c) {
+        case 'h':
+            fputs(help, stdout);
+            return APP_DONE;
+        case 'V':
+            printf("sculpt %s\n", sf_version());
+            return APP_DONE;
+        case 'g':
+            o.overhangs = 1;
+            break;
+        case 'H':
+            o.headless = 1;
+            break;
+        case 'x':
+            o.hash = 1;
+            break;
+        case 'b':
+            o.bench = 1;
+            break;
+        case '?':
+            fputs("sculpt: 'sculpt --help' says what there is.\n", stderr);
+            return APP_WRONG;
+        default:
+            if (!take(&o, c, optarg)) {
+                fprintf(stderr, "sculpt: '%s' is no value for that option; see sculpt --help.\n",
+                        optarg);
+                return APP_WRONG;
+            }
+        }
+    }
+    if (optind + 1 < argc) {
+        fputs("sculpt: one mesh at a time.\n", stderr);
+        return APP_WRONG;
+    }
+    o.file = optind < argc ? argv[optind] : NULL;
+    *options = o;
+    return check(&o);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// sculpt: model shapes that print without supports.
+
+#include <stdio.h>
+
+#include "app/options.h"
+#include "app/shot.h"
+
+int main(int argc, char **argv)
+{
+    app_options options;
+    switch (app_options_read(argc, argv, &options)) {
+    case APP_DONE:
+        return 0;
+    case APP_WRONG:
+        return 2;
+    default:
+        break;
+    }
+    if (!options.headless) {
+        fputs("sculpt: this build has no window; see --headless.\n", stderr);
+        return 2;
+    }
+    return app_run_headless(&options);
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// One triangle that covers the picture.
+
+out vec2 place; // -1 to 1 within it
+
+void main()
+{
+    place = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(place, 0.0, 1.0);
+}
