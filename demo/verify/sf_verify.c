@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sf-verify STACK_DIR CERTIFICATE: is a stack what its certificate says? Without code of libsf.
-// Exit 0: verified, 1: not, 2: usage, 3: unreadable. It makes the certificate that it would write,
-// and both must be equal; what no stack can tell it takes on trust. Formulas: docs/certificate.md.
+// Is a stack what its certificate says? Without code of libsf; formulas: docs/certificate.md.
 #include <jansson.h>
 #include <math.h>
 #include <spng.h>
@@ -10,6 +8,7 @@
 #define NOT(it, ...)                                                                               \
     if (it) return snprintf(found, sizeof found, __VA_ARGS__), 0
 #define GET json_object_get
+#define USAGE "usage: sf-verify LAYERS CERTIFICATE (status 0: verified, 1: not, 3: unreadable)\n"
 #define Q24(reach) floor((reach)*0x1p24 * (1 + 0x1p-40))
 #define OWN(i) (*at(x + (i)*dx, y + (i)*dy, k) > 0 && *at(x + (i)*dx, y + (i)*dy, k) < BRIDGED)
 enum { WAITS = -1, FREE = -2, BRIDGED = 999 }; // codes beside 0: empty, and 1 + slack: carried
@@ -20,8 +19,8 @@ static long row, layer, area, bed; // bytes of a row and of a picture, voxels of
 static unsigned char *bits;        // pictures, one after the other
 static short *codes, none;
 static double (*step)[6], pitch[4], mm; // in q24: reach from layer 0 and of a step; what is listed
-static json_t *stack, *heights, *given, *mine, *layers; // two certificates; what one lists
-static char kind, found[256];                           // a letter of words; what is to be said
+static json_t *stack, *heights, *given, *mine, *layers;        // two certificates; what one lists
+static char kind, found[256], path[4096], all[(1 << 28) + 1];  // a letter of words; what is said
 static char *sha256(const unsigned char *bytes, size_t size) { // FIPS 180-4
     static char hex[65];
     uint32_t k[64], h[8], w[64] = {0}, v[8];
@@ -52,9 +51,8 @@ static short *at(long x, long y, long k) { // the code of a voxel
     return x >= 0 && y >= 0 && x < nx && y < ny ? codes + k * area + y * nx + x : &none;
 }
 static int load(const char *folder) {
-    char name[4096];
-    snprintf(name, sizeof name, "%s/stack.json", folder);
-    int bad = json_unpack(stack = json_load_file(name, JSON_REJECT_DUPLICATES, NULL),
+    snprintf(path, sizeof path, "%s/stack.json", folder);
+    int bad = json_unpack(stack = json_load_file(path, JSON_REJECT_DUPLICATES, NULL),
                           "{s{sisisis[FF]s?Fs?o}}", "lattice", "nx", &nx, "ny", &ny, "nz", &nz,
                           "pitch_mm", pitch, pitch + 1, "layer_mm", &mm, "heights_mm", &heights);
     row = (nx + 7) / 8, layer = row * ny, area = (long)nx * ny;
@@ -62,8 +60,8 @@ static int load(const char *folder) {
           !(codes = calloc(area, nz * sizeof *codes));
     for (int z = 0; !bad && z < nz; z++) {
         struct spng_ihdr h;
-        snprintf(name, sizeof name, "%s/layer_%05d.png", folder, z);
-        FILE *file = fopen(name, "rb");
+        snprintf(path, sizeof path, "%s/layer_%05d.png", folder, z);
+        FILE *file = fopen(path, "rb");
         spng_ctx *png = spng_ctx_new(0);
         bad = !file || spng_set_png_file(png, file) || spng_get_ihdr(png, &h) || h.color_type ||
               h.bit_depth > 1 || h.width != (unsigned)nx || h.height != (unsigned)ny ||
@@ -153,18 +151,20 @@ static int judge(json_t *exempt, json_t *bridges) { // finds the codes of all vo
     return next[0] == json_array_size(exempt) && next[1] == json_array_size(bridges);
 }
 static int verify(const char *text, size_t size) {
-    char tail[99], *name, *act, *from, *to;
+    char tail[99], *name, *act, *from, *to, *of;
     double angle = 0, tangent = 0, span = 0, anchor = 0;
     json_int_t more, less, was, is = 0, rule = 3, o = 8;
     json_t *free, *gaps, *rests, *c = given = json_loadb(text, size, JSON_REJECT_DUPLICATES, NULL);
     json_t *said = GET(stack, "rule"), *asked = GET(c, "rule");
     sprintf(tail, "  \"digest\": \"%s\"\n}\n", sha256((void *)text, size < 81 ? 0 : size - 81));
     NOT(size < 81 || memcmp(text + size - 81, tail, 81), "it is not as it was written");
-    NOT(json_unpack(c, "{s{sssIsI!}s{sssI!}sosos{sss?Fs?Fs?[FF!]so!}}", "operation", "name", &act,
-                    "added", &more, "removed", &less, "input", "sha256", &from, "voxels", &was,
-                    "exempt", &free, "bridges", &gaps, "rule", "kind", &name, "angle_rad", &angle,
-                    "tangent", &tangent, "bridge_mm", &span, &anchor, "bed_layer", &rests),
+    NOT(json_unpack(c, "{s{ss}s{sssIsI!}s{sssI!}sosos{sss?Fs?Fs?[FF!]so!}}", "output", "sha256",
+                    &of, "operation", "name", &act, "added", &more, "removed", &less, "input",
+                    "sha256", &from, "voxels", &was, "exempt", &free, "bridges", &gaps, "rule",
+                    "kind", &name, "angle_rad", &angle, "tangent", &tangent, "bridge_mm", &span,
+                    &anchor, "bed_layer", &rests),
         "a field is of another kind");
+    NOT(strcmp(of, to = sha256(bits, layer * nz)), "it is of other layers than these");
     json_object_del(said, "angle_deg"), json_object_set(said, "tangent", GET(asked, "tangent"));
     if (json_number_value(GET(said, "phase_layer")) == 0) json_object_del(said, "phase_layer");
     NOT(json_is_object(said) && !json_equal(said, asked), "the stack names another rule");
@@ -174,7 +174,7 @@ static int verify(const char *text, size_t size) {
     NOT(rule < 0 || top > 255 || (rule && fabs(tan(angle) / tangent - 1) > 1e-15), "no such rule");
     for (long v = bed = nz * area; v-- > 0; is += codes[v] != 0) bed = codes[v] ? v : bed;
     bed = json_is_null(rests) ? bed / area : json_integer_value(rests);
-    if (!judge(free, gaps) || !(to = sha256(bits, layer * nz))) return 0;
+    if (!judge(free, gaps)) return 0;
     NOT(o < 4 || (more && o < 7) || (less && (o == 4 || o == 7)) || was + more - less != is ||
             strspn(from, "0123456789abcdef") != 64 || (more || less) == !strcmp(from, to),
         "its input is none");
@@ -188,13 +188,13 @@ static int verify(const char *text, size_t size) {
     return sprintf(found, "%d layers of %d x %d voxels, rule %s", nz, nx, ny, name);
 }
 int main(int argc, char **argv) {
-    static char text[(1 << 28) + 1];
-    if (argc != 3) return fputs("usage: sf-verify LAYERS CERTIFICATE\n", stderr), 2;
-    FILE *file = load(argv[1]) ? fopen(argv[2], "rb") : NULL;
-    size_t size = file ? fread(text, 1, sizeof text, file) : 0;
-    const char *why = size ? "the certificate is larger than 256 MiB" : "cannot be read";
-    if (size % sizeof text == 0) return fprintf(stderr, "%s\n", why), 3;
-    int good = verify(text, size);
+    int help = argc == 2 && (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h"));
+    if (argc != 3) return fputs(USAGE, help ? stdout : stderr), help ? 0 : 2;
+    FILE *file = load(argv[1]) ? fopen(strncpy(path, argv[2], sizeof path - 1), "rb") : NULL;
+    size_t size = file ? fread(all, 1, sizeof all, file) : 0;
+    const char *why = size ? "it is larger than 256 MiB" : "it cannot be read";
+    if (size % sizeof all == 0) return fprintf(stderr, "sf-verify: %s: %s\n", path, why), 3;
+    int good = verify(all, size);
     json_decref(given), json_decref(mine), json_decref(layers), json_decref(stack);
     return printf("%s: %s\n", good ? "verified" : "not verified", found), !good;
 }

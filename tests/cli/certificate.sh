@@ -36,14 +36,23 @@ ok $? "what was accepted is in the certificate"
 cp proof.json other.json
 exits 0 trim scene:garden --resolution 48 --angle 50 -o layers --certificate proof.json
 verified 1 layers other.json
+same "$(cat stdout)" "not verified: it is of other layers than these" "a certificate of another model says so"
 sed 's/"trim"/"grow"/' proof.json >changed.json
 verified 1 layers changed.json
 : >empty.json
 verified 3 layers empty.json
 verified 3 layers missing.json
+same "$(cat stderr)" "sf-verify: missing.json: it cannot be read" "and names the file"
 verified 3 missing proof.json
+same "$(cat stderr)" "sf-verify: missing/stack.json: it cannot be read" "of a folder too"
+verified 0 --help ""
+grep -q '^usage: sf-verify LAYERS CERTIFICATE' stdout && [ ! -s stderr ]
+ok $? "help is on standard output"
+verified 0 -h ""
 verified 2 layers ""
 verified 2 "" ""
+grep -q '^usage: ' stderr && [ ! -s stdout ]
+ok $? "and usage on standard error where it was none"
 verified 2 layers "proof.json again"
 # One byte more than it reads: a hole at its end takes no room.
 cp proof.json large.json
