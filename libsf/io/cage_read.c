@@ -52,11 +52,11 @@ static sf_status refuse(sfi_raw *raw)
 {
     size_t have;
     (void)sfi_cursor_peek(raw->cursor, 1, &have);
-    return sfi_cursor_fault(raw->cursor, raw->fault,
-                            have == 0
-                                ? "the file is empty; save the mesh again"
-                                : "this is no Medit, MFEM or VTK file of cells; save the mesh "
-                                  "as one of these");
+    return sfi_cursor_fault_whole(
+        raw->cursor, raw->fault,
+        have == 0 ? "the file is empty; save the mesh again"
+                  : "this is no Medit, MFEM or VTK file of cells; save the mesh "
+                    "as one of these");
 }
 
 static sf_status read_as(sfi_raw *raw, sf_cage_format format, sf_cage **cage,

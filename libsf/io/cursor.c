@@ -203,6 +203,12 @@ sf_status sfi_cursor_fault(const sfi_cursor *cursor, sf_fault *fault, const char
     return sfi_fault_set(fault, SF_ERR_FORMAT, cursor->line, offset, "%s", sentence);
 }
 
+sf_status sfi_cursor_fault_whole(const sfi_cursor *cursor, sf_fault *fault, const char *sentence)
+{
+    return cursor->failure != SF_OK ? sfi_cursor_fault(cursor, fault, sentence)
+                                    : sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0, "%s", sentence);
+}
+
 sf_status sfi_cursor_fault_token(const sfi_cursor *cursor, sf_fault *fault, const char *expected,
                                  const char *token)
 {

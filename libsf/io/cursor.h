@@ -64,7 +64,10 @@ void sfi_cursor_skip_mark(sfi_cursor *cursor);
 // A fault about the place where the cursor stands; a source that failed is told of instead.
 sf_status sfi_cursor_fault(const sfi_cursor *cursor, sf_fault *fault, const char *sentence);
 
-// The same for a token that should have been something else.
+// The same about the file as a whole, such as one of another format: it has no line or byte.
+sf_status sfi_cursor_fault_whole(const sfi_cursor *cursor, sf_fault *fault, const char *sentence);
+
+// The first for a token that should have been something else.
 sf_status sfi_cursor_fault_token(const sfi_cursor *cursor, sf_fault *fault, const char *expected,
                                  const char *token);
 

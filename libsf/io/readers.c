@@ -166,8 +166,9 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
     case SF_MESH_FORMAT_AUTO:
         break;
     }
-    return sfi_cursor_fault(reader->cursor, reader->fault,
-                            "this is no STL, OBJ, PLY or OFF file; save the part as one of these");
+    return sfi_cursor_fault_whole(
+        reader->cursor, reader->fault,
+        "this is no STL, OBJ, PLY or OFF file; save the part as one of these");
 }
 
 static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
@@ -176,7 +177,7 @@ static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
     if (format == SF_MESH_FORMAT_AUTO) {
         const char *why = foreign(reader->cursor);
         if (why != NULL) {
-            return sfi_cursor_fault(reader->cursor, reader->fault, why);
+            return sfi_cursor_fault_whole(reader->cursor, reader->fault, why);
         }
         format = sniff(reader->cursor);
     }
@@ -185,8 +186,8 @@ static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
         return sfi_cursor_fault(reader->cursor, reader->fault, "");
     }
     if (sf_mesh_get_view(reader->mesh).triangle_count == 0) {
-        return sfi_cursor_fault(reader->cursor, reader->fault,
-                                "the file holds no triangles; check what was exported");
+        return sfi_cursor_fault_whole(reader->cursor, reader->fault,
+                                      "the file holds no triangles; check what was exported");
     }
     return SF_OK;
 }

@@ -9,10 +9,10 @@
 static void refuses_what_is_no_cage_file(void)
 {
     static const bad cases[] = {
-        {"", "the file is empty", 1, SF_ERR_FORMAT},
-        {"Dear reader, this is a letter.\n", "no Medit", 1, SF_ERR_FORMAT},
-        {"# only a comment\n", "no Medit", 1, SF_ERR_FORMAT},
-        {"solid x\nendsolid\n", "no Medit", 1, SF_ERR_FORMAT},
+        {"", "the file is empty", WHOLE, SF_ERR_FORMAT},
+        {"Dear reader, this is a letter.\n", "no Medit", WHOLE, SF_ERR_FORMAT},
+        {"# only a comment\n", "no Medit", WHOLE, SF_ERR_FORMAT},
+        {"solid x\nendsolid\n", "no Medit", WHOLE, SF_ERR_FORMAT},
     };
     refuses_all(cases, sizeof cases / sizeof cases[0], "");
 }
