@@ -216,24 +216,39 @@ static int parse_shell(const char *text, int wants_name, cli_options *made)
            (made->shell != NULL ? made->shell[0] != '\0' : *end == '\0' && !wants_name);
 }
 
-// Files and names that options give.
-static int parse_file(uint64_t bit, const char *text, cli_options *made)
+// Where the file or name goes that an option gives; NULL where it gives none.
+static const char **place_of_name(uint64_t bit, cli_options *made)
 {
-    const char **place = bit == OPTION_OUTPUT        ? &made->output
-                         : bit == OPTION_CERTIFICATE ? &made->certificate
-                         : bit == OPTION_KEEP        ? &made->keep
-                         : bit == OPTION_FORBID      ? &made->forbid
-                         : bit == OPTION_CAVITY      ? &made->cavity
-                         : bit == OPTION_INNER       ? &made->inner
-                         : bit == OPTION_LAYERS      ? &made->layers
-                         : bit == OPTION_PICTURE     ? &made->picture
-                         : bit == OPTION_DENSITY     ? &made->density
-                         : bit == OPTION_PROPERTY    ? &made->property
-                         : bit == OPTION_MATERIALS   ? &made->materials
-                         : bit == OPTION_PAINT       ? &made->paint
-                                                     : &made->remove;
-    *place = text;
-    return text[0] != '\0';
+    switch (bit) {
+    case OPTION_OUTPUT:
+        return &made->output;
+    case OPTION_CERTIFICATE:
+        return &made->certificate;
+    case OPTION_KEEP:
+        return &made->keep;
+    case OPTION_FORBID:
+        return &made->forbid;
+    case OPTION_REMOVE:
+        return &made->remove;
+    case OPTION_CAVITY:
+        return &made->cavity;
+    case OPTION_INNER:
+        return &made->inner;
+    case OPTION_LAYERS:
+        return &made->layers;
+    case OPTION_PICTURE:
+        return &made->picture;
+    case OPTION_DENSITY:
+        return &made->density;
+    case OPTION_PROPERTY:
+        return &made->property;
+    case OPTION_MATERIALS:
+        return &made->materials;
+    case OPTION_PAINT:
+        return &made->paint;
+    default:
+        return NULL;
+    }
 }
 
 // Whole numbers, and an angle.
@@ -277,21 +292,12 @@ static int parse_bounded(uint64_t bit, const char *text, cli_options *made)
 
 int values_parse(uint64_t bit, const char *text, cli_options *made)
 {
+    const char **name = place_of_name(bit, made);
+    if (name != NULL) {
+        *name = text;
+        return text[0] != '\0';
+    }
     switch (bit) {
-    case OPTION_OUTPUT:
-    case OPTION_CERTIFICATE:
-    case OPTION_KEEP:
-    case OPTION_FORBID:
-    case OPTION_REMOVE:
-    case OPTION_CAVITY:
-    case OPTION_INNER:
-    case OPTION_LAYERS:
-    case OPTION_PICTURE:
-    case OPTION_DENSITY:
-    case OPTION_PROPERTY:
-    case OPTION_MATERIALS:
-    case OPTION_PAINT:
-        return parse_file(bit, text, made);
     case OPTION_MASK:
         return parse_mask(text, made);
     case OPTION_PITCH:
