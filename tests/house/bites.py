@@ -129,6 +129,8 @@ SPOILT = [
     ("README names", "README.md", TREE["README.md"].replace("base", "cellar")),
     ("README names", "README.md", TREE["README.md"].replace("Does", "Undoes")),
     ("one version", BASE, HEADER.replace("MINOR 2", "MINOR 3")),
+    ("one version", BASE, HEADER.replace("@since 1.2", "@since 1.3")),
+    ("one version", BASE, HEADER.replace("@since 1.2", "@since 1.2.4")),
     ("one version", "CITATION.cff", "version: 1.2.4\n"),
     ("one version", "CHANGELOG.md", "# Changelog\n\n## [1.2.2] - today\n"),
 ]

@@ -379,7 +379,7 @@ def check_lists():
 
 
 def check_version():
-    """meson, base.h, CITATION.cff and CHANGELOG.md name one version."""
+    """meson, base.h, CITATION.cff and CHANGELOG.md name one version, and no @since a later one."""
     header = read("libsf/include/sf/base.h")
     numbers = [re.search(rf"#define SF_VERSION_{part} (\d+)", header).group(1)
                for part in ["MAJOR", "MINOR", "PATCH"]]
@@ -389,7 +389,13 @@ def check_version():
         "CITATION.cff": re.search(r"^version: (\S+)$", read("CITATION.cff"), re.M).group(1),
         "CHANGELOG.md": re.search(r"^## \[([^\]]+)\]", read("CHANGELOG.md"), re.M).group(1),
     }
-    return [f"{place} says {v}, meson says {VERSION}" for place, v in said.items() if v != VERSION]
+    bad = [f"{place} says {v}, meson says {VERSION}" for place, v in said.items() if v != VERSION]
+    now = [int(n) for n in VERSION.split(".")]
+    for header in sorted({f.header for f in FUNCTIONS}):
+        bad += [f"{header} says @since {v}, which is after {VERSION}"
+                for v in sorted(set(re.findall(r"@since (\d+(?:\.\d+)*)", read(header))))
+                if [int(n) for n in v.split(".")] > now]
+    return bad
 
 
 def check_readme():

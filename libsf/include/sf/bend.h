@@ -28,7 +28,7 @@ extern "C" {
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
  * for 3D Fabrication", SIGGRAPH 2013, appendix, with diag(v_i + v_j + v_k + v_p) for the derivative
  * of g.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_body_gradient(sf_mesh_view mesh, double density,
                                                   double *gradient);
@@ -44,7 +44,7 @@ SF_API SF_CHECKED sf_status sf_mesh_body_gradient(sf_mesh_view mesh, double dens
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer where count is not 0, a body without mass.
  * @cost linear.   @threads any that write distinct arrays.
  * @source the same; (d m / d v) c is an outer product.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_body_com_gradient(sf_body body, const double *gradient, size_t count,
                                                  double *com_gradient);

@@ -40,7 +40,7 @@ typedef struct sf_blend {
  * @cost one pass; 86 000 points and six handles take about 1 ms on one core.   @threads any that
  * write to distinct arrays.
  * @source the paper's equation 9.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_blend_apply(sf_blend blend, const sf_pose *poses, sf_task *task,
                                            double *xyz_mm);
@@ -58,7 +58,7 @@ SF_API SF_CHECKED sf_status sf_blend_apply(sf_blend blend, const sf_pose *poses,
  * @param moves    receives x, y, z for each point, in mm; may be `rest_mm`
  * @return as sf_blend_apply().
  * @cost as sf_blend_apply().   @threads any that write to distinct arrays.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_blend_push(sf_blend blend, const sf_pose *poses,
                                           const sf_pose_change *changes, sf_task *task,
@@ -76,7 +76,7 @@ SF_API SF_CHECKED sf_status sf_blend_push(sf_blend blend, const sf_pose *poses,
  * @return SF_OK; SF_ERR_ARGUMENT: as sf_blend_apply(); SF_ERR_OVERFLOW; SF_ERR_MEMORY;
  * SF_ERR_CANCELLED.
  * @cost one pass.   @threads any that write to distinct arrays; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_blend_pull(sf_blend blend, const sf_pose *poses,
                                           const double *gradient, const sf_allocator *allocator,
@@ -112,7 +112,7 @@ SF_API SF_CHECKED sf_status sf_blend_pull(sf_blend blend, const sf_pose *poses,
  * @cost some three evaluations a point: about 1 us each for six handles, and half of that where
  * guesses are good.
  * @threads any that write to distinct arrays; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_weights_unbend(const sf_weights *weights, const sf_pose *poses,
                                               const double *bent_mm, size_t count,
@@ -140,7 +140,7 @@ typedef struct sf_fold {
  * @param fold     receives what was found; of equal determinants the first cell's
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a pose that is not finite; SF_ERR_CANCELLED.
  * @cost one pass over the cells, some 2 us each for six handles.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_weights_fold(const sf_weights *weights, const sf_pose *poses,
                                             sf_task *task, sf_fold *fold);

@@ -42,7 +42,7 @@ typedef struct sf_halfspace {
  * @return SF_OK; what sf_mesh_measure() says; SF_ERR_ARGUMENT: a density that is not finite.
  * @cost two passes over the triangles.   @threads any.
  * @source sf_mesh_measure().
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_body(sf_mesh_view mesh, double density, sf_body *body);
 
@@ -57,7 +57,7 @@ SF_API SF_CHECKED sf_status sf_mesh_body(sf_mesh_view mesh, double density, sf_b
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, the density of a solid voxel that is not finite;
  * SF_ERR_CANCELLED.
  * @cost one pass over the grid; with densities, one over the solid voxels too.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_body(const sf_grid *grid, const float *density, sf_task *task,
                                          sf_body *body);
@@ -70,7 +70,7 @@ SF_API SF_CHECKED sf_status sf_grid_body(const sf_grid *grid, const float *densi
  * @param b       a body
  * @return the sum.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_body sf_body_add(sf_body a, double factor, sf_body b);
 
@@ -81,7 +81,7 @@ SF_API sf_body sf_body_add(sf_body a, double factor, sf_body b);
  * @param count    how many
  * @return the body.
  * @cost linear.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_body sf_ballast_body(const sf_ballast *ballast, size_t count);
 
@@ -92,7 +92,7 @@ SF_API sf_body sf_ballast_body(const sf_ballast *ballast, size_t count);
  * @param com_mm  receives x, y, z
  * @return SF_OK; SF_ERR_ARGUMENT: `com_mm` is NULL, a body without mass, or with less than none.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_body_com(sf_body body, double com_mm[3]);
 

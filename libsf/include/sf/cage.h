@@ -87,7 +87,7 @@ typedef struct sf_cage sf_cage;
  * SF_ERR_OVERFLOW: more points or corners than SF_CAGE_POINT_MAX; SF_ERR_MEMORY.
  * @cost linear, but for collisions in a hash table.   @threads any; one at a time for each
  * allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_create(const sf_cage_view *view, const sf_allocator *allocator,
                                            sf_cage **cage, sf_fault *fault);
@@ -95,7 +95,7 @@ SF_API SF_CHECKED sf_status sf_cage_create(const sf_cage_view *view, const sf_al
 /**
  * Free a cage; NULL does nothing.
  *
- * @cost constant.   @threads one, and nobody else with this cage.   @since 0.2
+ * @cost constant.   @threads one, and nobody else with this cage.   @since 0.1
  */
 SF_API void sf_cage_destroy(sf_cage *cage);
 
@@ -104,7 +104,7 @@ SF_API void sf_cage_destroy(sf_cage *cage);
  *
  * @return the view, valid until properties are added or removed, or the cage is destroyed; its
  * values are those of the cage as it changes. NULL gives a view of nothing.
- * @cost constant.   @threads any, while nobody changes the cage.   @since 0.2
+ * @cost constant.   @threads any, while nobody changes the cage.   @since 0.1
  */
 SF_API sf_cage_view sf_cage_get_view(const sf_cage *cage);
 
@@ -117,7 +117,7 @@ SF_API sf_cage_view sf_cage_get_view(const sf_cage *cage);
  * @param xyz    3 * count coordinates, mm; not in the cage's own arrays
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, points that there are not, a coordinate that is
  * not finite.
- * @cost O(count).   @threads one for each cage.   @since 0.2
+ * @cost O(count).   @threads one for each cage.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_set_positions(sf_cage *cage, size_t first, size_t count,
                                                   const double *xyz);
@@ -132,7 +132,7 @@ SF_API SF_CHECKED sf_status sf_cage_set_positions(sf_cage *cage, size_t first, s
  * @param values   the values; not in the cage's own arrays
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, values that there are not, one that is not finite
  * or lies outside the property's bounds.
- * @cost O(count).   @threads one for each cage.   @since 0.2
+ * @cost O(count).   @threads one for each cage.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_set_values(sf_cage *cage, size_t channel, size_t first,
                                                size_t count, const double *values);
@@ -145,7 +145,7 @@ SF_API SF_CHECKED sf_status sf_cage_set_values(sf_cage *cage, size_t channel, si
  * @param fault    NULL, or receives a sentence on failure
  * @return SF_OK; SF_ERR_ARGUMENT: as sf_cage_create(), more than SF_PROPERTY_MAX;
  * SF_ERR_OVERFLOW; SF_ERR_MEMORY.
- * @cost O(values and corners).   @threads one for each cage.   @since 0.2
+ * @cost O(values and corners).   @threads one for each cage.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_add_property(sf_cage *cage, const sf_channel *channel,
                                                  sf_fault *fault);
@@ -154,7 +154,7 @@ SF_API SF_CHECKED sf_status sf_cage_add_property(sf_cage *cage, const sf_channel
  * Remove a property; those after it move up.
  *
  * @return SF_OK; SF_ERR_ARGUMENT: NULL, or there is no such channel.
- * @cost constant.   @threads one for each cage.   @since 0.2
+ * @cost constant.   @threads one for each cage.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_remove_property(sf_cage *cage, size_t channel);
 
@@ -181,7 +181,7 @@ typedef struct sf_cage_report {
  * one
  * @return SF_OK, also where cells are inverted; SF_ERR_ARGUMENT: NULL; SF_ERR_OVERFLOW;
  * SF_ERR_MEMORY.
- * @cost linear.   @threads any; one at a time for each allocator.   @since 0.2
+ * @cost linear.   @threads any; one at a time for each allocator.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_check(const sf_cage *cage, const sf_allocator *allocator,
                                           sf_cage_report *report, sf_fault *fault);

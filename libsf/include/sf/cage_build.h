@@ -28,7 +28,7 @@ extern "C" {
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a count of 0, corners that are no box or beyond
  * 10^12 mm; SF_ERR_OVERFLOW: more than SF_CAGE_POINT_MAX points or corners; SF_ERR_MEMORY.
  * @cost linear.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_block(const uint32_t counts[3], const double low_mm[3],
                                           const double high_mm[3], const sf_allocator *allocator,
@@ -51,7 +51,7 @@ SF_API SF_CHECKED sf_status sf_cage_block(const uint32_t counts[3], const double
  * SF_ERR_UNSUPPORTED: a cage of dimension 3, or what sf_cage_create() refuses; SF_ERR_OVERFLOW;
  * SF_ERR_MEMORY.
  * @cost linear.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_extrude(const sf_cage *faces, const double vector_mm[3],
                                             uint32_t layers, const sf_allocator *allocator,
@@ -75,7 +75,7 @@ SF_API SF_CHECKED sf_status sf_cage_extrude(const sf_cage *faces, const double v
  * below 0; SF_ERR_UNSUPPORTED: a cage of dimension 3, a face that touches the axis in a point only
  * or that becomes no served cell, or what sf_cage_create() refuses; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
  * @cost linear.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_revolve(const sf_cage *faces, uint32_t sectors,
                                             double angle_rad, const sf_allocator *allocator,
@@ -114,7 +114,7 @@ typedef struct sf_skeleton_strut {
  * @cost linear.   @threads any; one at a time for each allocator.
  * @source C. Altenhofen and others, "Continuous property gradation for multi-material 3D-printed
  * objects", 2018, on sketched control meshes.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_skeleton(size_t node_count, const sf_skeleton_node *nodes,
                                              size_t strut_count, const sf_skeleton_strut *struts,
@@ -136,7 +136,7 @@ typedef int (*sf_cage_value_function)(void *user, const double at_mm[3], double 
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a place beyond 10^12 mm or not finite;
  * SF_ERR_MEMORY; SF_ERR_CANCELLED: the function gave up.
  * @cost O(points).   @threads one for each cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_map_positions(sf_cage *cage, sf_cage_place_function function,
                                                   void *user, const sf_allocator *allocator);
@@ -153,7 +153,7 @@ SF_API SF_CHECKED sf_status sf_cage_map_positions(sf_cage *cage, sf_cage_place_f
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property, a value that it does not allow;
  * SF_ERR_MEMORY; SF_ERR_CANCELLED: the function gave up.
  * @cost O(points and corners).   @threads one for each cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_map_values(sf_cage *cage, size_t channel,
                                                sf_cage_value_function function, void *user,

@@ -37,7 +37,7 @@ typedef struct sf_cage_history_state {
  * @param history    receives the history
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY.
  * @cost O(points and values).   @threads any, while nobody changes the cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_history_create(const sf_cage *cage, size_t bytes_max,
                                                    const sf_allocator *allocator,
@@ -47,7 +47,7 @@ SF_API SF_CHECKED sf_status sf_cage_history_create(const sf_cage *cage, size_t b
  * Free a history; NULL does nothing. The cage stays as it is.
  *
  * @cost O(steps).   @threads one, and nobody else with this history.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_cage_history_destroy(sf_cage_history *history);
 
@@ -64,7 +64,7 @@ SF_API void sf_cage_history_destroy(sf_cage_history *history);
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_SHAPE: not its cage, or one that a
  * property was removed from; SF_ERR_MEMORY.
  * @cost O(points and values).   @threads one for each history, while nobody changes the cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_history_record(sf_cage_history *history, const sf_cage *cage,
                                                    size_t *changed);
@@ -78,7 +78,7 @@ SF_API SF_CHECKED sf_status sf_cage_history_record(sf_cage_history *history, con
  * @param changed  NULL, or receives how many numbers are not what they were; 0: there was no step
  * @return as sf_cage_history_record().
  * @cost O(points and values).   @threads one for each history and cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_history_undo(sf_cage_history *history, sf_cage *cage,
                                                  size_t *changed);
@@ -92,7 +92,7 @@ SF_API SF_CHECKED sf_status sf_cage_history_undo(sf_cage_history *history, sf_ca
  * @param changed  NULL, or receives how many numbers are not what they were; 0: there was no step
  * @return as sf_cage_history_record().
  * @cost O(points and values).   @threads one for each history and cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_history_redo(sf_cage_history *history, sf_cage *cage,
                                                  size_t *changed);
@@ -103,7 +103,7 @@ SF_API SF_CHECKED sf_status sf_cage_history_redo(sf_cage_history *history, sf_ca
  * @param history  the history; of NULL nothing
  * @return the counts, by value.
  * @cost constant.   @threads any, while nobody changes the history.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_cage_history_state sf_cage_history_get_state(const sf_cage_history *history);
 

@@ -35,7 +35,7 @@ typedef struct sf_cage_read_options {
  *
  * @return the options, by value, with struct_size set.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_cage_read_options sf_cage_read_options_default(void);
 
@@ -90,7 +90,7 @@ typedef struct sf_cage_reading {
  * @threads any, on distinct sources; one at a time for each allocator.
  * @source P. Frey, "MEDIT: An interactive mesh visualization software", 2001; the MFEM project,
  * "MFEM mesh formats"; Kitware, "VTK file formats", legacy.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_read(sf_source source, const sf_cage_read_options *options,
                                          const sf_allocator *allocator, sf_cage **cage,
@@ -127,7 +127,7 @@ SF_API SF_CHECKED sf_status sf_cage_read(sf_source source, const sf_cage_read_op
  * each corner.
  * @threads any, on distinct sinks; one at a time for each allocator.
  * @source Kitware, "VTK file formats", legacy.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_cage_write_vtk(const sf_cage_view *view, int binary,
                                               const sf_allocator *allocator, sf_sink sink,

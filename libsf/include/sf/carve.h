@@ -51,7 +51,7 @@ extern "C" {
  * voxels; and for about one layer of voxels each the triangles that lie just so far.
  * @threads any that write distinct walls; the task's hook may run up to 16 pieces at once; one at a
  * time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_wall(const sf_grid *solid, sf_mesh_view surface, double wall_mm,
                                          const sf_allocator *allocator, sf_task *task,
@@ -73,7 +73,7 @@ SF_API SF_CHECKED sf_status sf_grid_wall(const sf_grid *solid, sf_mesh_view surf
  * more than 253 voxels along x or y; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost reach * reach passes over bits, with the reach of the wall in voxels.
  * @threads any that write distinct walls.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_wall_inside(const sf_grid *solid, double wall_mm,
                                                 const sf_allocator *allocator, sf_task *task,
@@ -95,7 +95,7 @@ SF_API SF_CHECKED sf_status sf_grid_wall_inside(const sf_grid *solid, double wal
  * @cost sorts the triangles; and for each voxel at the border of what is solid the triangles that
  * lie as near as the nearest.
  * @threads any; the task's hook may run up to 16 pieces at once; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_clearance(const sf_grid *grid, sf_mesh_view surface,
                                               const sf_allocator *allocator, sf_task *task,
@@ -145,7 +145,7 @@ typedef struct sf_carve_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_carve_options sf_carve_options_default(void);
 
@@ -220,7 +220,7 @@ typedef struct sf_carve_report {
  * @threads any that write distinct results.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
  * for 3D Fabrication", SIGGRAPH 2013, section 4 and equations 7 and 8.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_carve(const sf_grid *solid, const sf_grid *wall,
                                           const sf_terms *terms, const sf_carve_options *options,
@@ -262,7 +262,7 @@ typedef struct sf_drain_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_drain_options sf_drain_options_default(void);
 
@@ -314,7 +314,7 @@ typedef struct sf_drain_report {
  * SF_ERR_CANCELLED.
  * @cost for each hole, and each place that was tried in vain, at most 64 for a void, a trim.
  * @threads one per grid.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_drain(sf_grid *grid, const sf_terms *terms,
                                           const sf_drain_options *options,

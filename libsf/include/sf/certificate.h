@@ -41,7 +41,7 @@ typedef enum sf_operation {
  * @param operation  any value
  * @return "check", "trim", "grow", "repair", "preserve", or "unknown"; a static string, never NULL.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API const char *sf_operation_name(sf_operation operation);
 
@@ -59,7 +59,7 @@ SF_API const char *sf_operation_name(sf_operation operation);
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CANCELLED.
  * @cost one pass, about 5 ns a byte.   @threads any; the grid is only read.
  * @source NIST, "Secure Hash Standard", FIPS 180-4, 2015.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_sha256(const sf_grid *grid, sf_task *task,
                                            uint8_t digest[SF_SHA256_SIZE]);
@@ -80,7 +80,7 @@ typedef struct sf_claim {
  *
  * @return the claim, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_claim sf_claim_default(void);
 
@@ -177,7 +177,7 @@ typedef struct sf_certificate sf_certificate;
  * @threads any; grids are only read.
  * @source a field that the layer rule's own step reproduces proves the shape support-free, for
  * every rule that is monotone.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_certificate_make(const sf_grid *shape, const sf_claim *claim,
                                                 const sf_allocator *allocator, sf_task *task,
@@ -189,7 +189,7 @@ SF_API SF_CHECKED sf_status sf_certificate_make(const sf_grid *shape, const sf_c
  * @param certificate  the certificate; NULL gives a view of nothing, all zero
  * @return the view, by value; its arrays live as long as the certificate.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_certificate_view sf_certificate_get_view(const sf_certificate *certificate);
 
@@ -198,7 +198,7 @@ SF_API sf_certificate_view sf_certificate_get_view(const sf_certificate *certifi
  *
  * @param certificate  the certificate; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this certificate.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_certificate_destroy(sf_certificate *certificate);
 

@@ -49,7 +49,7 @@ typedef struct sf_density_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_density_options sf_density_options_default(void);
 
@@ -69,7 +69,7 @@ SF_API sf_density_options sf_density_options_default(void);
  * regions, or more voxels than the machine can address; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost one pass over the voxels for each region, and one more.
  * @threads any that write distinct arrays.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_lattice_density(const sf_lattice *lattice,
                                                const sf_density_options *options,

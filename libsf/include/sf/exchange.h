@@ -22,7 +22,7 @@ extern "C" {
  *
  * @return 1 where it has libhdf5, else 0.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API int sf_exchange_is_served(void);
 
@@ -38,7 +38,7 @@ SF_API int sf_exchange_is_served(void);
  * @threads one at a time in a process, whatever uses libhdf5 included.
  * @source C. Altenhofen and others, "Continuous property gradation for multi-material 3D-printed
  * objects", 2018, "Export and storage format".
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_exchange_write(const sf_tets *tets, sf_sink sink, sf_fault *fault);
 
@@ -63,7 +63,7 @@ SF_API SF_CHECKED sf_status sf_exchange_write(const sf_tets *tets, sf_sink sink,
  * what the source returned.
  * @cost the file and its contents are held in memory for a while.   @threads one at a time in a
  * process, whatever uses libhdf5 included.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_exchange_read(sf_source source, uint64_t bytes_max,
                                              const sf_allocator *allocator, sf_tets **tets,

@@ -69,7 +69,7 @@ typedef struct sf_finding_cost {
  * @source the costs are the closest supporting paths of T. Reiner, S. Lefebvre, "Interactive
  * Modeling of Support-free Shapes for Fabrication", Eurographics 2016, section 2.2, without the
  * distance to the ground; V. Chvatal, "A Greedy Heuristic for the Set-Covering Problem", 1979.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_findings_cost(const sf_grid *grid, const sf_terms *terms,
                                              const sf_finding *findings, size_t finding_count,
@@ -89,7 +89,7 @@ SF_API SF_CHECKED sf_status sf_findings_cost(const sf_grid *grid, const sf_terms
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer where there are findings; SF_ERR_OVERFLOW: too
  * many findings.
  * @cost n log n; no memory.   @threads any that write to distinct arrays.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_findings_rank(const sf_finding *findings,
                                              const sf_finding_cost *costs, size_t finding_count,
@@ -155,7 +155,7 @@ typedef struct sf_voids_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_voids_options sf_voids_options_default(void);
 
@@ -180,7 +180,7 @@ SF_API sf_voids_options sf_voids_options_default(void);
  * @cost one pass over the grid, and nearly linear in the runs of empty voxels.
  * @threads any; the grid is only read.
  * @source R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_voids(const sf_grid *grid, const sf_voids_options *options,
                                           const sf_allocator *allocator, sf_task *task,

@@ -83,7 +83,7 @@ typedef struct sf_path_finder sf_path_finder;
  * spare; on layers of one height also some ten bytes for each layer and row of the grid, until a
  * cone fills its slices. At 512^3 and 45 degrees that is 40 MB.
  * @threads any; the grids are only read.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_path_finder_create(const sf_grid *grid, const sf_terms *terms,
                                                   sf_landing landing, const sf_allocator *allocator,
@@ -92,7 +92,7 @@ SF_API SF_CHECKED sf_status sf_path_finder_create(const sf_grid *grid, const sf_
 /**
  * Free a path finder; NULL does nothing.
  *
- * @cost constant.   @threads one, and nobody else with this finder.   @since 0.2
+ * @cost constant.   @threads one, and nobody else with this finder.   @since 0.1
  */
 SF_API void sf_path_finder_destroy(sf_path_finder *finder);
 
@@ -103,7 +103,7 @@ SF_API void sf_path_finder_destroy(sf_path_finder *finder);
  * @param task    NULL, or progress per slice; a cancel is honoured at every slice
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost as sf_path_finder_create().   @threads one per finder.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_task *task);
 
@@ -135,7 +135,7 @@ SF_API SF_CHECKED sf_status sf_path_finder_refresh(sf_path_finder *finder, sf_ta
  * @threads one per finder; the grids are only read.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, section 2.2 (grow), by a search of the downward cone in place of a map.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_path_finder_find(sf_path_finder *finder, sf_voxel from,
                                                 sf_voxel *path, size_t capacity, sf_path *found);
@@ -167,7 +167,7 @@ typedef struct sf_path_map_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_path_map_options sf_path_map_options_default(void);
 
@@ -192,7 +192,7 @@ SF_API sf_path_map_options sf_path_map_options_default(void);
  * @threads any; the grids are only read.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, sections 2.2 and 3.2, with costs that are zero at matter.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_path_map_create(const sf_grid *grid, const sf_terms *terms,
                                                const sf_path_map_options *options,
@@ -202,7 +202,7 @@ SF_API SF_CHECKED sf_status sf_path_map_create(const sf_grid *grid, const sf_ter
 /**
  * Free a path map; NULL does nothing.
  *
- * @cost constant.   @threads one, and nobody else with this map.   @since 0.2
+ * @cost constant.   @threads one, and nobody else with this map.   @since 0.1
  */
 SF_API void sf_path_map_destroy(sf_path_map *map);
 
@@ -221,7 +221,7 @@ SF_API void sf_path_map_destroy(sf_path_map *map);
  * @return as sf_path_finder_find(), but for memory, which is not needed.
  * @cost the length of the path; on a map of costs times the voxels of the element.
  * @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_path_map_walk(const sf_path_map *map, sf_voxel from, sf_voxel *path,
                                              size_t capacity, sf_path *found);
@@ -267,7 +267,7 @@ typedef struct sf_emit_report {
  * @threads one per grid.
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, section 2.2 (grow); that what is added must be trimmed is the library's own.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_emit(sf_grid *grid, const sf_terms *terms,
                                          const sf_stroke *stroke, const sf_allocator *allocator,
@@ -309,7 +309,7 @@ typedef struct sf_grow_report {
  * @cost a map of costs (voxels times those of the element), and for each voxel without support and
  * for each one added the voxels of the element.
  * @threads one per grid.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_grow(sf_grid *grid, const sf_terms *terms,
                                          const sf_allocator *allocator, sf_task *task,

@@ -59,7 +59,7 @@ typedef struct sf_mask sf_mask;
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_mask_options sf_mask_options_default(void);
 
@@ -68,7 +68,7 @@ SF_API sf_mask_options sf_mask_options_default(void);
  *
  * @return the mask, which lives as long as the program.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API const sf_mask *sf_mask_builtin(void);
 
@@ -88,7 +88,7 @@ SF_API const sf_mask *sf_mask_builtin(void);
  * @source R. Ulichney, "The void-and-cluster method for dither array generation", 1993; for slices
  * A. Wolfe, N. Morrical, T. Akenine-Moeller, R. Ramamoorthi, "Spatiotemporal Blue Noise Masks",
  * 2022.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mask_create(const sf_mask_options *options,
                                            const sf_allocator *allocator, sf_task *task,
@@ -107,7 +107,7 @@ SF_API SF_CHECKED sf_status sf_mask_create(const sf_mask_options *options,
  * that is too large or occurs twice; SF_ERR_OVERFLOW: more than SF_MASK_SIZE_MAX voxels;
  * SF_ERR_MEMORY.
  * @cost one pass.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mask_from_ranks(uint32_t nx, uint32_t ny, uint32_t nz,
                                                const uint32_t *ranks, const sf_allocator *allocator,
@@ -117,7 +117,7 @@ SF_API SF_CHECKED sf_status sf_mask_from_ranks(uint32_t nx, uint32_t ny, uint32_
  * Free a mask; NULL and the built-in one do nothing.
  *
  * @cost constant.   @threads one, and nobody else with this mask.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_mask_destroy(sf_mask *mask);
 
@@ -125,7 +125,7 @@ SF_API void sf_mask_destroy(sf_mask *mask);
  * The period of a mask along x, y and z, in voxels; all 0 for NULL.
  *
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_mask_size(const sf_mask *mask, uint32_t size[3]);
 
@@ -134,7 +134,7 @@ SF_API void sf_mask_size(const sf_mask *mask, uint32_t size[3]);
  *
  * @return the rank; 0 for NULL.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API uint32_t sf_mask_rank(const sf_mask *mask, uint32_t x, uint32_t y, uint32_t z);
 
@@ -199,7 +199,7 @@ typedef struct sf_halftone sf_halftone;
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a number of materials out of range;
  * SF_ERR_OVERFLOW: more memory than the machine addresses; SF_ERR_MEMORY.
  * @cost a pass over the mask.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_halftone_create(const sf_mask *mask, uint32_t material_count,
                                                const sf_allocator *allocator,
@@ -209,7 +209,7 @@ SF_API SF_CHECKED sf_status sf_halftone_create(const sf_mask *mask, uint32_t mat
  * Free a halftone; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this halftone.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_halftone_destroy(sf_halftone *halftone);
 
@@ -229,7 +229,7 @@ SF_API void sf_halftone_destroy(sf_halftone *halftone);
  * materials. No memory.
  * @threads any, on distinct materials.
  * @source R. Ulichney, "Digital Halftoning", 1987, ordered dither.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_halftone_slice(const sf_halftone *halftone, const sf_tones *tones,
                                               const sf_materials *materials, sf_task *task);
@@ -268,7 +268,7 @@ typedef struct sf_diffusion {
  * @cost one pass over the memory.   @threads any; one at a time for each allocator.
  * @source R. Floyd, L. Steinberg, "An adaptive algorithm for spatial greyscale", 1976, with
  * vectors, in three dimensions.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_diffuser_create(uint32_t width, uint32_t height,
                                                uint32_t material_count, const double pitch_mm[3],
@@ -279,7 +279,7 @@ SF_API SF_CHECKED sf_status sf_diffuser_create(uint32_t width, uint32_t height,
  * Free a diffuser; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this diffuser.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_diffuser_destroy(sf_diffuser *diffuser);
 
@@ -293,7 +293,7 @@ SF_API void sf_diffuser_destroy(sf_diffuser *diffuser);
  * height differ from the diffuser's.
  * @cost some 20 operations for each voxel and material, one after the other. No memory.
  * @threads one at a time for each diffuser.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_diffuser_slice(sf_diffuser *diffuser, const sf_tones *tones,
                                               const sf_materials *materials);
@@ -305,7 +305,7 @@ SF_API SF_CHECKED sf_status sf_diffuser_slice(sf_diffuser *diffuser, const sf_to
  * @param report    receives one entry for each material
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
  * @cost one pass over its memory.   @threads one at a time for each diffuser.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_diffuser_report(const sf_diffuser *diffuser, sf_diffusion *report);
 
@@ -336,7 +336,7 @@ typedef struct sf_shell sf_shell;
  * SF_ERR_MEMORY.
  * @cost as sf_voxelizer_create().   @threads any; one at a time for each allocator.
  * @source M. Schwarz, H.-P. Seidel, "Fast parallel surface and solid voxelization on GPUs", 2010.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_shell_create(sf_mesh_view mesh, const sf_lattice *lattice,
                                             double distance_mm, const sf_allocator *allocator,
@@ -346,7 +346,7 @@ SF_API SF_CHECKED sf_status sf_shell_create(sf_mesh_view mesh, const sf_lattice 
  * Free a shell; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this shell.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_shell_destroy(sf_shell *shell);
 
@@ -360,7 +360,7 @@ SF_API void sf_shell_destroy(sf_shell *shell);
  * SF_ERR_SHAPE: a slice that is not nx by ny.
  * @cost the surface voxels of layers not yet at hand, and a dilation for each layer within reach.
  * @threads one at a time for each shell.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_shell_slice(sf_shell *shell, uint32_t k, sf_slice slice);
 
@@ -387,7 +387,7 @@ typedef struct sf_material_use {
  * @return SF_OK; what sf_lattice_validate() says; SF_ERR_ARGUMENT: a NULL pointer, a number of
  * materials or a density out of range; SF_ERR_OVERFLOW: more voxels than 64 bits count.
  * @cost one pass over the counts, in their order: the same bytes everywhere.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_material_uses(const sf_lattice *lattice, const uint64_t *counts,
                                              uint32_t material_count, const double *density_g_cm3,

@@ -48,7 +48,7 @@ typedef struct sf_handle {
  * @param handle  receives the handle
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a region without voxels.
  * @cost one pass over the grid.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_handle_base(const sf_grid *region, sf_handle *handle);
 
@@ -65,7 +65,7 @@ SF_API SF_CHECKED sf_status sf_handle_base(const sf_grid *region, sf_handle *han
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a direction without length or not finite, a
  * height that is no number or below 0, a solid without voxels; SF_ERR_MEMORY.
  * @cost two passes over the solid voxels.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_foot(const sf_grid *solid, const double up[3], double height_mm,
                                          const sf_allocator *allocator, sf_grid **foot);
@@ -84,7 +84,7 @@ SF_API SF_CHECKED sf_status sf_grid_foot(const sf_grid *solid, const double up[3
  * SF_ERR_CANCELLED.
  * @cost as sf_grid_voxelize() with SF_FILL_SURFACE.   @threads any; one at a time for each
  * allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_cover(const sf_grid *solid, sf_mesh_view surface,
                                           const sf_allocator *allocator, sf_task *task,
@@ -107,7 +107,7 @@ SF_API SF_CHECKED sf_status sf_grid_cover(const sf_grid *solid, sf_mesh_view sur
  * @cost the voxels that the ray passes.   @threads any.
  * @source the paper's section 5; J. Amanatides, A. Woo, "A Fast Voxel Traversal Algorithm for Ray
  * Tracing", Eurographics 1987.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_handle_center(const sf_grid *solid, const double from_mm[3],
                                              const double direction[3], double center_mm[3],
@@ -128,7 +128,7 @@ typedef struct sf_place_options {
  *
  * @return the options, by value: five points, no base.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_place_options sf_place_options_default(void);
 
@@ -156,7 +156,7 @@ SF_API sf_place_options sf_place_options_default(void);
  * SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost n log n of the cells for each handle.   @threads any; one at a time for each allocator.
  * @source T. F. Gonzalez, "Clustering to Minimize the Maximum Intercluster Distance", 1985.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_handles_place(const sf_grid *solid, const sf_place_options *options,
                                              const sf_allocator *allocator, sf_task *task,
@@ -179,7 +179,7 @@ typedef struct sf_pose {
  *
  * @return the pose, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_pose sf_pose_identity(void);
 
@@ -199,7 +199,7 @@ typedef struct sf_pose_change {
  * or more.
  * @cost constant.   @threads one per pose.
  * @source O. Rodrigues, 1840: the axis scaled by the tangent of half the angle.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_pose_move(sf_pose *pose, const sf_pose_change *change);
 

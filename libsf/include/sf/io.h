@@ -233,7 +233,7 @@ SF_API SF_CHECKED sf_status sf_stack_read(sf_folder folder, const sf_allocator *
  * @param sink         where the bytes go; on failure it may have had some
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
  * @cost the length of the file; 12 KiB of stack, no memory.   @threads any, on distinct sinks.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_certificate_write(const sf_certificate *certificate, sf_sink sink);
 

@@ -44,7 +44,7 @@ typedef struct sf_layers sf_layers;
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a lattice that cannot be, no materials or too
  * many, a name or density that cannot be; SF_ERR_UNSUPPORTED: a build without PNG; SF_ERR_MEMORY.
  * @cost O(nz).   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_layers_begin(sf_folder folder, const sf_lattice *lattice,
                                             uint32_t material_count, const sf_material *materials,
@@ -63,7 +63,7 @@ SF_API SF_CHECKED sf_status sf_layers_begin(sf_folder folder, const sf_lattice *
  * should take; or what the folder or its sinks returned.
  * @cost a pass, mostly in the compressor, which takes its memory from the C library.   @threads one
  * for these layers.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_layers_add(sf_layers *layers, const uint8_t *ids, size_t stride,
                                           sf_fault *fault);
@@ -84,7 +84,7 @@ SF_API SF_CHECKED sf_status sf_layers_add(sf_layers *layers, const uint8_t *ids,
  * @return SF_OK; SF_ERR_ARGUMENT: NULL, or layers are missing; or what the folder or its sinks
  * returned.
  * @cost O(nz).   @threads one for these layers.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_layers_finish(sf_layers *layers, sf_material_use *uses,
                                              sf_fault *fault);
@@ -93,7 +93,7 @@ SF_API SF_CHECKED sf_status sf_layers_finish(sf_layers *layers, sf_material_use 
  * Free what layers hold; the folder is the caller's. NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with these layers.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_layers_end(sf_layers *layers);
 

@@ -47,7 +47,7 @@ typedef struct sf_limit sf_limit;
  * fair interpolation using Catmull-Clark surfaces", 1993; what comes of irregular cells after
  * J. Stam, "Exact evaluation of Catmull-Clark subdivision surfaces at arbitrary parameter values",
  * 1998, without his eigenvalues: by going down.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_create(const sf_cage *cage, sf_refine_rules rules,
                                             const sf_allocator *allocator, sf_task *task,
@@ -57,7 +57,7 @@ SF_API SF_CHECKED sf_status sf_limit_create(const sf_cage *cage, sf_refine_rules
  * Free a limit; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this limit.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_limit_destroy(sf_limit *limit);
 
@@ -66,7 +66,7 @@ SF_API void sf_limit_destroy(sf_limit *limit);
  *
  * @return the number.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API size_t sf_limit_piece_count(const sf_limit *limit);
 
@@ -82,7 +82,7 @@ SF_API size_t sf_limit_piece_count(const sf_limit *limit);
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such cell, parameters outside of it;
  * SF_ERR_UNSUPPORTED: a cell of another kind, which has no axes: name its pieces.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_place(const sf_limit *limit, size_t cell, const double u[3],
                                            sf_place *place);
@@ -107,7 +107,7 @@ SF_API SF_CHECKED sf_status sf_limit_place(const sf_limit *limit, size_t cell, c
  * @cost a third of a microsecond in regular pieces; elsewhere some 5 for each level, of which
  * random places need one or two and the worst ones 48.   @threads any, while nobody updates; one at
  * a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_positions(const sf_limit *limit, size_t count,
                                                const sf_place *places,
@@ -127,7 +127,7 @@ SF_API SF_CHECKED sf_status sf_limit_positions(const sf_limit *limit, size_t cou
  * @param derivatives  NULL, or receives 3 of each, in dimension 2 2: by each parameter
  * @return as sf_limit_positions(); SF_ERR_ARGUMENT also: no such property.
  * @cost, @threads as sf_limit_positions().
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_values(const sf_limit *limit, size_t channel, size_t count,
                                             const sf_place *places, const sf_allocator *allocator,
@@ -155,7 +155,7 @@ typedef struct sf_limit_report {
  * while nobody updates; one at a time for each allocator.
  * @source A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical validity of curvilinear finite
  * elements", 2013.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_check(const sf_limit *limit, const sf_allocator *allocator,
                                            sf_task *task, sf_limit_report *report);
@@ -168,7 +168,7 @@ SF_API SF_CHECKED sf_status sf_limit_check(const sf_limit *limit, const sf_alloc
  * @param task       threads; NULL for none; is not cancelled
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a position that cannot be.
  * @cost one step of refinement.   @threads one for each limit.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_update_positions(sf_limit *limit, const double *positions,
                                                       sf_task *task);
@@ -182,7 +182,7 @@ SF_API SF_CHECKED sf_status sf_limit_update_positions(sf_limit *limit, const dou
  * @param task     threads; NULL for none; is not cancelled
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property, a value that it does not allow.
  * @cost one step of refinement.   @threads one for each limit.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_update_values(sf_limit *limit, size_t channel,
                                                    const double *values, sf_task *task);

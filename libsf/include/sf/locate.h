@@ -31,7 +31,7 @@ typedef struct sf_locator sf_locator;
  * SF_ERR_MEMORY.
  * @cost a microsecond for each piece.   @threads any, while nobody updates the limit; one at a time
  * for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_locator_create(const sf_limit *limit, const sf_allocator *allocator,
                                               sf_locator **locator);
@@ -40,7 +40,7 @@ SF_API SF_CHECKED sf_status sf_locator_create(const sf_limit *limit, const sf_al
  * Free a locator; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this locator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_locator_destroy(sf_locator *locator);
 
@@ -64,7 +64,7 @@ SF_API void sf_locator_destroy(sf_locator *locator);
  * that is not finite; SF_ERR_MEMORY; SF_ERR_CANCELLED: the task was cancelled before.
  * @cost some ten microseconds for each point; hundreds close to what is irregular, or outside
  * within reach.   @threads any, while nobody updates the limit; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_locator_find(const sf_locator *locator, size_t count,
                                             const double *points, double reach_mm,

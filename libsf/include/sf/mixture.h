@@ -59,7 +59,7 @@ typedef struct sf_curve sf_curve;
  * @source M. Ayer and others, "An empirical distribution function for sampling with incomplete
  * information", 1955 (pool adjacent violators); F. N. Fritsch, R. E. Carlson, "Monotone piecewise
  * cubic interpolation", 1980.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_curve_create(const sf_curve_sample *samples, size_t count,
                                             sf_trend trend, const sf_allocator *allocator,
@@ -69,7 +69,7 @@ SF_API SF_CHECKED sf_status sf_curve_create(const sf_curve_sample *samples, size
  * Free a curve; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this curve.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_curve_destroy(sf_curve *curve);
 
@@ -82,7 +82,7 @@ SF_API void sf_curve_destroy(sf_curve *curve);
  * @param slope  NULL, or receives the derivative; 0 beyond the ends
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, an x that is no number.
  * @cost a binary search.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_curve_value(const sf_curve *curve, double x, double *y,
                                            double *slope);
@@ -97,7 +97,7 @@ SF_API SF_CHECKED sf_status sf_curve_value(const sf_curve *curve, double x, doub
  *               curve has it
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a y that is no number.
  * @cost a binary search and some ten evaluations.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_curve_inverse(const sf_curve *curve, double y, double *x,
                                              double *miss);
@@ -107,7 +107,7 @@ SF_API SF_CHECKED sf_status sf_curve_inverse(const sf_curve *curve, double y, do
  *
  * @return a distance in y.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API double sf_curve_change(const sf_curve *curve);
 
@@ -152,7 +152,7 @@ typedef struct sf_mixture sf_mixture;
  * @threads any; one at a time for each allocator.
  * @source B. Delaunay, "Sur la sphere vide", 1934; K. Q. Brown, "Voronoi diagrams from convex
  * hulls", 1979.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mixture_create(const sf_mixture_samples *samples,
                                               const sf_allocator *allocator, sf_mixture **mixture,
@@ -162,7 +162,7 @@ SF_API SF_CHECKED sf_status sf_mixture_create(const sf_mixture_samples *samples,
  * Free a mixture; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this mixture.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_mixture_destroy(sf_mixture *mixture);
 
@@ -171,7 +171,7 @@ SF_API void sf_mixture_destroy(sf_mixture *mixture);
  *
  * @return the number; 0 for NULL.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API size_t sf_mixture_simplex_count(const sf_mixture *mixture);
 
@@ -180,7 +180,7 @@ SF_API size_t sf_mixture_simplex_count(const sf_mixture *mixture);
  *
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such simplex.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mixture_simplex(const sf_mixture *mixture, size_t simplex,
                                                uint32_t *corners);
@@ -195,7 +195,7 @@ SF_API SF_CHECKED sf_status sf_mixture_simplex(const sf_mixture *mixture, size_t
  * @param miss        NULL, or receives how far the fractions lay from the nearest: 0 within
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a fraction that is not finite.
  * @cost a small linear system for each simplex.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mixture_properties(const sf_mixture *mixture,
                                                   const double *fractions, double *properties,
@@ -220,7 +220,7 @@ SF_API SF_CHECKED sf_status sf_mixture_properties(const sf_mixture *mixture,
  * @cost a small linear system where the hint is right, else up to one for each face of each
  * simplex.
  * @threads any; one at a time for each hint.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mixture_fractions(const sf_mixture *mixture, const double *wanted,
                                                  size_t *hint, double *fractions, double *obtained,

@@ -59,7 +59,7 @@ typedef struct sf_orientation {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_orient_options sf_orient_options_default(void);
 
@@ -96,7 +96,7 @@ SF_API sf_orient_options sf_orient_options_default(void);
  * @source the spread of directions is R. Swinbank, R. J. Purser, "Fibonacci grids: A novel approach
  * to global modelling", 2006; the cheap score is that of C. Schranz, "Tweaker - Auto Rotation
  * Module for FDM 3D Printing", 2016, without its weights.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_orient(sf_mesh_view mesh, const sf_orient_options *options,
                                            const sf_allocator *allocator, sf_task *task,

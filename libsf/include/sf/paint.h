@@ -48,7 +48,7 @@ typedef struct sf_paint_brush {
  *
  * @return the brush, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_paint_brush sf_paint_brush_default(void);
 
@@ -64,7 +64,7 @@ SF_API sf_paint_brush sf_paint_brush_default(void);
  * @cost O(points).   @threads any, while nobody changes the cage.
  * @source C. Altenhofen and others, "Continuous property gradation for multi-material 3D-printed
  * objects", 2018, "Interaction techniques".
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_paint_select(const sf_cage *cage, const sf_paint_brush *brush,
                                             double *weights, size_t *touched);
@@ -92,7 +92,7 @@ typedef enum sf_paint_operation {
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property or operation, a weight or amount
  * out of range or not finite; SF_ERR_MEMORY.
  * @cost O(points and edges).   @threads one for each cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_paint_values(sf_cage *cage, size_t channel, const double *weights,
                                             sf_paint_operation operation, double amount,
@@ -109,7 +109,7 @@ SF_API SF_CHECKED sf_status sf_paint_values(sf_cage *cage, size_t channel, const
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a weight out of range, a point that would lie
  * beyond 10^12 mm; SF_ERR_MEMORY.
  * @cost O(points).   @threads one for each cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_paint_move(sf_cage *cage, const double *weights,
                                           const double vector_mm[3], const sf_allocator *allocator,
@@ -126,7 +126,7 @@ SF_API SF_CHECKED sf_status sf_paint_move(sf_cage *cage, const double *weights,
  * @param changed    NULL, or receives how many points are not where they were
  * @return as sf_paint_move().
  * @cost O(points and edges).   @threads one for each cage.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_paint_smooth(sf_cage *cage, const double *weights, double amount,
                                             const sf_allocator *allocator, size_t *changed);

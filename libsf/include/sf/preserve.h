@@ -50,7 +50,7 @@ extern "C" {
  * @threads any that write distinct results.
  * @source P. Slavik, "A tight analysis of the greedy algorithm for set cover", 1996 (greedy); that
  * one sweep serves every monotone rule is the library's own.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_complete(const sf_grid *shape, const sf_grid *needed,
                                              const sf_terms *terms, const sf_allocator *allocator,
@@ -95,7 +95,7 @@ typedef struct sf_preserve_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_preserve_options sf_preserve_options_default(void);
 
@@ -143,7 +143,7 @@ typedef struct sf_preserve_report {
  * @source T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for Fabrication",
  * Eurographics 2016, sections 2.2 and 3.2 (the operator and both paper modes; as printed it deletes
  * what it should keep).
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_preserve(sf_grid *grid, const sf_grid *brush,
                                              const sf_terms *terms,

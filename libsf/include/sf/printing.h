@@ -52,7 +52,7 @@ typedef struct sf_printing_report {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_printing_options sf_printing_options_default(void);
 
@@ -87,7 +87,7 @@ SF_API sf_printing_options sf_printing_options_default(void);
  * @source the margin: R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand",
  * 2013, section 3; the pieces: R. E. Tarjan, "Efficiency of a Good But Not Linear Set Union
  * Algorithm", 1975.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_printing(const sf_grid *grid,
                                              const sf_printing_options *options,

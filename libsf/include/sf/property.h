@@ -35,7 +35,7 @@ typedef struct sf_property {
  *
  * @return the property, by value; its UUID, 408b9c0d-608a-45f0-9af1-ffeeda90d9ea, never changes.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_property sf_property_density(void);
 
@@ -44,7 +44,7 @@ SF_API sf_property sf_property_density(void);
  *
  * @return the property, by value; its UUID, 2b3d5e79-5dc1-4ea8-8d04-c48865cea0c1, never changes.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_property sf_property_young(void);
 
@@ -53,7 +53,7 @@ SF_API sf_property sf_property_young(void);
  *
  * @return the property, by value; its UUID, db254ec6-a58b-45d9-97b5-809fe7e620b2, never changes.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_property sf_property_poisson(void);
 
@@ -68,7 +68,7 @@ SF_API sf_property sf_property_poisson(void);
  * @param property  receives the property
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a name that is empty or too long.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_property_named(const char *name, sf_property *property);
 

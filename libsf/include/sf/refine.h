@@ -38,7 +38,7 @@ typedef struct sf_refine_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_refine_options sf_refine_options_default(void);
 
@@ -69,7 +69,7 @@ typedef struct sf_refinement sf_refinement;
  * 1978; T. DeRose, M. Kass, T. Truong, "Subdivision surfaces in character animation", 1998; C.
  * Altenhofen and others, "Continuous property gradation for multi-material 3D-printed objects",
  * 2018.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_refine(const sf_cage *cage, const sf_refine_options *options,
                                       const sf_allocator *allocator, sf_task *task,
@@ -79,7 +79,7 @@ SF_API SF_CHECKED sf_status sf_refine(const sf_cage *cage, const sf_refine_optio
  * Free a refinement; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this refinement.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_refinement_destroy(sf_refinement *refinement);
 
@@ -95,7 +95,7 @@ SF_API void sf_refinement_destroy(sf_refinement *refinement);
  *                    with updates
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a step that there is not.
  * @cost constant.   @threads any, while nobody updates.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_refinement_get_view(const sf_refinement *refinement, uint32_t step,
                                                    sf_cage_view *view);
@@ -109,7 +109,7 @@ SF_API SF_CHECKED sf_status sf_refinement_get_view(const sf_refinement *refineme
  * @param task        threads; NULL for none; is not cancelled
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a position that cannot be.
  * @cost some 15 products for each new point and coordinate.   @threads one for each refinement.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_refinement_update_positions(sf_refinement *refinement,
                                                            const double *positions, sf_task *task);
@@ -124,7 +124,7 @@ SF_API SF_CHECKED sf_status sf_refinement_update_positions(sf_refinement *refine
  * @param task        threads; NULL for none; is not cancelled
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property, a value that it does not allow.
  * @cost some 15 products for each new value.   @threads one for each refinement.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_refinement_update_values(sf_refinement *refinement, size_t channel,
                                                         const double *values, sf_task *task);
@@ -146,7 +146,7 @@ SF_API SF_CHECKED sf_status sf_refinement_update_values(sf_refinement *refinemen
  * @cost the points that it depends on, at each step; scratch of a number for each point of the
  * step.
  * @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_refinement_stencil(const sf_refinement *refinement, uint32_t step,
                                                   size_t point, const sf_allocator *allocator,

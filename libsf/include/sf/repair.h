@@ -58,7 +58,7 @@ typedef struct sf_repair_report {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_repair_options sf_repair_options_default(void);
 
@@ -107,7 +107,7 @@ SF_API sf_repair_options sf_repair_options_default(void);
  * @threads one per grid.
  * @source a library's own; T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for
  * Fabrication", Eurographics 2016, for its two ends, trim and grow.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_repair(sf_grid *grid, const sf_repair_options *options,
                                            const sf_allocator *allocator, sf_task *task,

@@ -186,7 +186,7 @@ SF_API SF_CHECKED sf_status sf_rule_element(const sf_rule *rule, uint32_t k, sf_
  * number; SF_ERR_UNSUPPORTED: a span or an anchor of more than SF_BRIDGE_SPAN_MAX voxels, a span
  * greater than 0 that is less than a voxel along every direction; what sf_lattice_validate() says.
  * @cost constant.   @threads one per rule.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_rule_set_bridges(sf_rule *rule, double span_mm, double anchor_mm,
                                                 const sf_lattice *lattice, sf_fault *fault);
@@ -217,7 +217,7 @@ SF_API SF_CHECKED sf_status sf_rule_measure(const sf_rule *rule, const sf_lattic
  * @param kind  the kind
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or the name of no kind.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_rule_kind_from_name(const char *name, sf_rule_kind *kind);
 

@@ -35,7 +35,7 @@ extern "C" {
  * SF_ERR_CANCELLED.
  * @cost a microsecond or two for each vertex of the surface.   @threads any, while nobody updates
  * the limit; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_limit_bounds(const sf_limit *limit, const sf_allocator *allocator,
                                             sf_task *task, double low_mm[3], double high_mm[3]);
@@ -52,7 +52,7 @@ typedef struct sf_sample_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_sample_options sf_sample_options_default(void);
 
@@ -78,7 +78,7 @@ typedef struct sf_sampler sf_sampler;
  * @cost a microsecond or two for each vertex of the surface; 40 MB for splines that are kept, and
  * as much for each further property that jumps.   @threads any, while nobody updates the limit; one
  * at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_sampler_create(const sf_limit *limit, const sf_lattice *lattice,
                                               const sf_sample_options *options,
@@ -106,7 +106,7 @@ SF_API SF_CHECKED sf_status sf_sampler_create(const sf_limit *limit, const sf_la
  * @cost linear in tetrahedra and layers.   @threads any; one at a time for each allocator.
  * @source C. Altenhofen and others, "Continuous property gradation for multi-material 3D-printed
  * objects", 2018, "Volumetric slicing", with properties interpolated within tetrahedra.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_sampler_of_tets(const sf_tets *tets, const sf_lattice *lattice,
                                                size_t channel_count, const size_t *channels,
@@ -117,7 +117,7 @@ SF_API SF_CHECKED sf_status sf_sampler_of_tets(const sf_tets *tets, const sf_lat
  * Free a sampler; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with this sampler.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_sampler_destroy(sf_sampler *sampler);
 
@@ -128,7 +128,7 @@ SF_API void sf_sampler_destroy(sf_sampler *sampler);
  * @param error_mm  NULL, or receives how far it may be from the limit surface, mm
  * @return a view, valid until the sampler is destroyed; of nothing for NULL.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_mesh_view sf_sampler_surface(const sf_sampler *sampler, double *error_mm);
 
@@ -154,7 +154,7 @@ typedef struct sf_sample_report {
  * size; SF_ERR_MEMORY.
  * @cost a third of a microsecond for each solid voxel; of tetrahedra a tenth for each of those that
  * the slice meets.   @threads one for each sampler.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_sampler_slice(sf_sampler *sampler, uint32_t k, sf_slice solid,
                                              double *const *values);
@@ -166,7 +166,7 @@ SF_API SF_CHECKED sf_status sf_sampler_slice(sf_sampler *sampler, uint32_t k, sf
  * @param report   receives the report
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
  * @cost constant.   @threads any, while nobody slices.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_sampler_report(const sf_sampler *sampler, sf_sample_report *report);
 

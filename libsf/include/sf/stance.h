@@ -52,7 +52,7 @@ typedef struct sf_stance_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_stance_options sf_stance_options_default(void);
 
@@ -92,7 +92,7 @@ typedef struct sf_stance sf_stance;
  * @threads any; one at a time for each allocator.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
  * for 3D Fabrication", 2013, section 3, figure 2 and the rocking toy of table 1.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_options *options,
                                              const sf_allocator *allocator, sf_stance **stance,
@@ -103,7 +103,7 @@ SF_API SF_CHECKED sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_
  *
  * @param stance  the stance, or NULL
  * @cost constant.   @threads one, and nobody else with this stance.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_stance_destroy(sf_stance *stance);
 
@@ -114,7 +114,7 @@ SF_API void sf_stance_destroy(sf_stance *stance);
  * @param stance  the stance, not NULL
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_stance_options sf_stance_get_options(const sf_stance *stance);
 
@@ -124,7 +124,7 @@ SF_API sf_stance_options sf_stance_get_options(const sf_stance *stance);
  * @param stance  the stance, not NULL
  * @return the height in mm, in the mesh's frame.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API double sf_stance_ground(const sf_stance *stance);
 
@@ -141,7 +141,7 @@ SF_API double sf_stance_ground(const sf_stance *stance);
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CAPACITY: too little room, with the number
  * of corners in `count`.
  * @cost linear.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_polygon(const sf_stance *stance, double *xyz, size_t capacity,
                                               size_t *count);
@@ -156,7 +156,7 @@ SF_API SF_CHECKED sf_status sf_stance_polygon(const sf_stance *stance, double *x
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_CAPACITY: too little room, with the number
  * of contacts in `count`.
  * @cost linear.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_contacts(const sf_stance *stance, uint32_t *vertices,
                                                size_t capacity, size_t *count);
@@ -176,7 +176,7 @@ SF_API SF_CHECKED sf_status sf_stance_contacts(const sf_stance *stance, uint32_t
  * @cost linear in the contacts.   @threads any that write to distinct arrays.
  * @source R. Prevost and others, "Make It Stand", 2013, section 3: "we flatten faces surrounding
  * the support, within a threshold".
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_flatten(const sf_stance *stance, double *vertices,
                                               size_t vertex_count);
@@ -210,7 +210,7 @@ SF_API SF_CHECKED sf_status sf_stance_flatten(const sf_stance *stance, double *v
  * @cost linear.   @threads any.
  * @source standing: Prevost and others, "Make It Stand", 2013, figure 2, but with the height of the
  * centre of mass as it is, where the paper takes it for fixed.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_halfspaces(const sf_stance *stance, sf_halfspace *halfspaces,
                                                  size_t capacity, size_t *count);
@@ -247,7 +247,7 @@ typedef struct sf_stance_verdict {
  * @cost linear in the half-spaces; rocking, seventeen times that of sf_mesh_rest() without its
  * hull.
  * @threads any; one at a time for each allocator where the body rocks.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stance_judge(const sf_stance *stance, const double com_mm[3],
                                             sf_stance_verdict *verdict);
@@ -297,7 +297,7 @@ typedef struct sf_rest {
  * @source hull: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull Algorithm for Convex
  * Hulls", 1996; rolling: M. Goldberg, R. K. Guy, "Stability of Polyhedra (J. H. Conway and R. K.
  * Guy)", 1969.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_rest(sf_mesh_view mesh, const double com_mm[3],
                                          const double *ups, size_t count,

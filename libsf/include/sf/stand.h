@@ -77,7 +77,7 @@ typedef struct sf_stand_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_stand_options sf_stand_options_default(void);
 
@@ -145,7 +145,7 @@ typedef struct sf_stand_report {
  * @threads any; one at a time for each allocator.
  * @source R. Prevost, E. Whiting, S. Lefebvre, O. Sorkine-Hornung, "Make It Stand: Balancing Shapes
  * for 3D Fabrication", SIGGRAPH 2013.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stand_create(sf_mesh_view mesh, const sf_stance_options *stances,
                                             size_t stance_count, const sf_handle *handles,
@@ -156,7 +156,7 @@ SF_API SF_CHECKED sf_status sf_stand_create(sf_mesh_view mesh, const sf_stance_o
 /**
  * Free a shape; NULL does nothing.
  *
- * @cost constant.   @threads one, and nobody else with this shape.   @since 0.2
+ * @cost constant.   @threads one, and nobody else with this shape.   @since 0.1
  */
 SF_API void sf_stand_destroy(sf_stand *stand);
 
@@ -171,7 +171,7 @@ SF_API void sf_stand_destroy(sf_stand *stand);
  * large for its voxels; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost voxels, the exact wall, a carving and a few steps of the solver: some 0.2 s at 172 000
  * triangles and 80 000 voxels with the paper's carving.   @threads one for each shape.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_stand_report *report);
 
@@ -183,7 +183,7 @@ SF_API SF_CHECKED sf_status sf_stand_round(sf_stand *stand, sf_task *task, sf_st
  * @param report  NULL, or receives how far it came: `succeeded` says whether it does what was asked
  * @return as sf_stand_round().
  * @cost rounds_max rounds at most.   @threads one for each shape.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stand_run(sf_stand *stand, sf_task *task, sf_stand_report *report);
 
@@ -191,7 +191,7 @@ SF_API SF_CHECKED sf_status sf_stand_run(sf_stand *stand, sf_task *task, sf_stan
  * How far a shape has come.
  *
  * @return the report, by value; all zero for NULL.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API sf_stand_report sf_stand_describe(const sf_stand *stand);
 
@@ -204,7 +204,7 @@ SF_API sf_stand_report sf_stand_describe(const sf_stand *stand);
  * @param lock    1: it keeps this pose; 0: it may be moved on
  * @return SF_OK; SF_ERR_ARGUMENT.
  * @cost constant.   @threads one for each shape.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, const sf_pose *pose,
                                               int lock);
@@ -213,7 +213,7 @@ SF_API SF_CHECKED sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, co
  * Pose of a handle.
  *
  * @return the pose, by value; the identity for a handle that there is not.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API sf_pose sf_stand_get_pose(const sf_stand *stand, size_t handle);
 
@@ -221,7 +221,7 @@ SF_API sf_pose sf_stand_get_pose(const sf_stand *stand, size_t handle);
  * The outside: the triangles of the mesh that was handed in, with its vertices where they are now.
  *
  * @return the view, valid until the next round; one of nothing for NULL.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API sf_mesh_view sf_stand_outer(const sf_stand *stand);
 
@@ -229,7 +229,7 @@ SF_API sf_mesh_view sf_stand_outer(const sf_stand *stand);
  * The cavity: closed surfaces whose triangles look into the hollow; none before the first round.
  *
  * @return the view, valid until the next round; one of nothing for NULL.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API sf_mesh_view sf_stand_cavity(const sf_stand *stand);
 
@@ -237,7 +237,7 @@ SF_API sf_mesh_view sf_stand_cavity(const sf_stand *stand);
  * The carved shape as voxels; NULL before the first round.
  *
  * @return the grid, valid until the next round.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const sf_grid *sf_stand_grid(const sf_stand *stand);
 
@@ -246,7 +246,7 @@ SF_API const sf_grid *sf_stand_grid(const sf_stand *stand);
  * carved; NULL where that is 1 everywhere, and before the first round.
  *
  * @return the array, valid until the next round; it means nothing where the shape was empty.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const float *sf_stand_density(const sf_stand *stand);
 
@@ -254,7 +254,7 @@ SF_API const float *sf_stand_density(const sf_stand *stand);
  * A stance of the shape as it is; NULL for one that there is not.
  *
  * @return the stance, valid until the next round.
- * @cost constant.   @threads any, while no round runs.   @since 0.2
+ * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const sf_stance *sf_stand_stance(const sf_stand *stand, size_t index);
 

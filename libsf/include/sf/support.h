@@ -63,7 +63,7 @@ typedef struct sf_terms {
  *
  * @return the terms, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_terms sf_terms_default(void);
 
@@ -90,7 +90,7 @@ SF_API sf_terms sf_terms_default(void);
  * @cost a trim.   @threads any; the grids but culprits are only read.
  * @source the greatest support-free subset is unique because support-free sets are closed under
  * union.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_feasible(const sf_grid *allowed, const sf_grid *needed,
                                              const sf_terms *terms, const sf_allocator *allocator,
@@ -334,7 +334,7 @@ SF_API SF_CHECKED sf_status sf_grid_check(const sf_grid *grid, const sf_check_op
  * the grid has not, a rule that does not serve all its layers, one grid given twice; SF_ERR_SHAPE:
  * grids that differ in counts; SF_ERR_OVERFLOW; SF_ERR_MEMORY; SF_ERR_CANCELLED.
  * @cost a step of the rule for each layer.   @threads any that write distinct grids.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_unsupported(const sf_grid *grid, const sf_terms *terms,
                                                 const sf_allocator *allocator, sf_task *task,
@@ -370,7 +370,7 @@ typedef struct sf_steepest {
  * SF_ERR_UNSUPPORTED: not even at 5 degrees can the lattice be served; SF_ERR_MEMORY;
  * SF_ERR_CANCELLED.
  * @cost about eleven checks under slack.   @threads any; the grid is only read.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_steepest(const sf_grid *grid, uint32_t bed_layer,
                                              const sf_allocator *allocator, sf_task *task,
@@ -432,7 +432,7 @@ SF_API SF_CHECKED sf_status sf_grid_trim(sf_grid *grid, const sf_rule *rule, uin
  * @return SF_OK; SF_ERR_INFEASIBLE: a voxel that must stay cannot, and the shape is as it was; and
  * what sf_grid_feasible() says.
  * @cost a copy of the grid and a trim.   @threads one per grid.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_grid_trim_on(sf_grid *grid, const sf_terms *terms,
                                             const sf_allocator *allocator, sf_task *task,

@@ -46,7 +46,7 @@ typedef struct sf_tets sf_tets;
  * point twice in one tetrahedron, a coordinate that is not finite or beyond 10^12 mm, a property
  * that cannot be (as sf_cage_create()); SF_ERR_OVERFLOW: too many; SF_ERR_MEMORY.
  * @cost linear.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_tets_create(const sf_tets_view *view, const sf_allocator *allocator,
                                            sf_tets **tets, sf_fault *fault);
@@ -67,7 +67,7 @@ SF_API SF_CHECKED sf_status sf_tets_create(const sf_tets_view *view, const sf_al
  * one at a time for each allocator.
  * @source C. Altenhofen and others, "Continuous property gradation for multi-material 3D-printed
  * objects", 2018, "Implicit tetrahedrization".
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_tets_of_refinement(const sf_refinement *refinement, uint32_t step,
                                                   const sf_allocator *allocator, sf_tets **tets);
@@ -76,7 +76,7 @@ SF_API SF_CHECKED sf_status sf_tets_of_refinement(const sf_refinement *refinemen
  * Free tetrahedra; NULL does nothing.
  *
  * @cost constant.   @threads one, and nobody else with these tetrahedra.
- * @since 0.2
+ * @since 0.1
  */
 SF_API void sf_tets_destroy(sf_tets *tets);
 
@@ -86,7 +86,7 @@ SF_API void sf_tets_destroy(sf_tets *tets);
  * @return a view, valid until they are destroyed, and the refinement, if they follow one; of
  * nothing for NULL.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_tets_view sf_tets_get_view(const sf_tets *tets);
 
@@ -102,7 +102,7 @@ SF_API sf_tets_view sf_tets_get_view(const sf_tets *tets);
  * or lies outside the property's bounds; SF_ERR_UNSUPPORTED: they follow a refinement, which is to
  * be changed instead.
  * @cost O(count).   @threads one for these tetrahedra.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_tets_set_values(sf_tets *tets, size_t channel, size_t first,
                                                size_t count, const double *values);
@@ -124,7 +124,7 @@ typedef struct sf_tets_report {
  * @param report     receives what was found
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_MEMORY.
  * @cost sorting the faces.   @threads any; one at a time for each allocator.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_tets_check(const sf_tets *tets, const sf_allocator *allocator,
                                           sf_tets_report *report);

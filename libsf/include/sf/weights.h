@@ -43,7 +43,7 @@ typedef struct sf_weights_options {
  *
  * @return the options, by value.
  * @cost constant.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API sf_weights_options sf_weights_options_default(void);
 
@@ -104,7 +104,7 @@ typedef struct sf_weights_facts {
  * @threads any; one at a time for each allocator.
  * @source A. Jacobson, I. Baran, J. Popovic, O. Sorkine, "Bounded Biharmonic Weights for Real-Time
  * Deformation", SIGGRAPH 2011.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_weights_create(const sf_grid *solid, const sf_handle *handles,
                                               size_t count, const sf_weights_options *options,
@@ -114,7 +114,7 @@ SF_API SF_CHECKED sf_status sf_weights_create(const sf_grid *solid, const sf_han
 /**
  * Free weights; NULL does nothing.
  *
- * @cost constant.   @threads one, and nobody else with these weights.   @since 0.2
+ * @cost constant.   @threads one, and nobody else with these weights.   @since 0.1
  */
 SF_API void sf_weights_destroy(sf_weights *weights);
 
@@ -122,7 +122,7 @@ SF_API void sf_weights_destroy(sf_weights *weights);
  * What weights were made of.
  *
  * @return the facts, by value; all zero for NULL.
- * @cost constant.   @threads any.   @since 0.2
+ * @cost constant.   @threads any.   @since 0.1
  */
 SF_API sf_weights_facts sf_weights_describe(const sf_weights *weights);
 
@@ -130,7 +130,7 @@ SF_API sf_weights_facts sf_weights_describe(const sf_weights *weights);
  * The centres of all handles: x, y, z of each, in mm, as they were handed in.
  *
  * @return an array that lives as long as the weights; NULL for NULL.
- * @cost constant.   @threads any.   @since 0.2
+ * @cost constant.   @threads any.   @since 0.1
  */
 SF_API const double *sf_weights_centers(const sf_weights *weights);
 
@@ -149,7 +149,7 @@ SF_API const double *sf_weights_centers(const sf_weights *weights);
  * @param gradient  NULL, or receives x, y, z for each handle, per mm
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a coordinate that is not finite.
  * @cost constant; a few times as much outside the domain.   @threads any.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_weights_at(const sf_weights *weights, const double p_mm[3],
                                           double *w, double *gradient);
@@ -166,7 +166,7 @@ SF_API SF_CHECKED sf_status sf_weights_at(const sf_weights *weights, const doubl
  * finite; SF_ERR_CANCELLED.
  * @cost two passes over the points; about 0.1 us each for six handles.   @threads any that write to
  * distinct arrays.
- * @since 0.2
+ * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_weights_sample(const sf_weights *weights, const double *xyz_mm,
                                               size_t count, sf_task *task, double *w);
