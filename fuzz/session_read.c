@@ -8,20 +8,6 @@
 
 #include <sf/session.h>
 
-typedef struct text {
-    uint8_t *bytes;
-    size_t size;
-} text;
-
-static sf_status append(void *user, const void *data, size_t size)
-{
-    text *t = user;
-    t->bytes = realloc(t->bytes, t->size + size);
-    memcpy(t->bytes + t->size, data, size);
-    t->size += size;
-    return SF_OK;
-}
-
 static sf_session *read_bytes(const void *data, size_t size)
 {
     sf_memory_cursor cursor = {data, size, 0};
@@ -33,10 +19,10 @@ static sf_session *read_bytes(const void *data, size_t size)
     return session;
 }
 
-static text write_bytes(const sf_session *session)
+static buffer write_bytes(const sf_session *session)
 {
-    text t = {NULL, 0};
-    sf_sink sink = {append, &t};
+    buffer t = {NULL, 0, 0};
+    sf_sink sink = {put, &t};
     must(sf_session_write(session, sink) == SF_OK, "what was read can be written");
     return t;
 }
@@ -55,10 +41,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     sf_session *session = read_bytes(data, size);
     if (session != NULL) {
-        text first = write_bytes(session);
+        buffer first = write_bytes(session);
         sf_session *again = read_bytes(first.bytes, first.size);
         must(again != NULL, "what was written can be read");
-        text second = write_bytes(again);
+        buffer second = write_bytes(again);
         must(first.size == second.size && memcmp(first.bytes, second.bytes, first.size) == 0,
              "and is written as it was");
         play(session);
