@@ -5,8 +5,10 @@
 
 #include <sf/io.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "scene.h"
+#include "sculpted.h"
 
 // How much of the space's width a mesh may take.
 #define SHARE 0.75
@@ -87,12 +89,31 @@ static sf_status draw_scene(void *user, sf_grid *grid)
     return status;
 }
 
+// A scene that brushes made.
+static sf_sculpt *play(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
+{
+    sf_session *session = NULL;
+    sf_sculpt *model = NULL;
+    sf_status status = sculpted_session(name, resolution, NULL, &session);
+    if (status == SF_OK) {
+        status = sf_session_replay(session, NULL, NULL, &model);
+    }
+    sf_session_destroy(session);
+    return status == SF_OK ? model : fail(why, name, sf_status_message(status));
+}
+
 sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
 {
     double size[3], longest;
     char copy[64];
+    for (size_t i = 0; sculpted_names[i] != NULL; i++) {
+        if (strcmp(sculpted_names[i], name) == 0) {
+            return play(name, resolution, why);
+        }
+    }
     if (!scene_size(name, size)) {
-        return fail(why, name, "there is no such scene; there is garden");
+        return fail(why, name,
+                    "there is no such scene; there are garden, shaun, pumpkin and intertwined");
     }
     longest = size[0] > size[1] ? size[0] : size[1];
     longest = size[2] > longest ? size[2] : longest;

@@ -21,8 +21,8 @@ static const char help[] =
     "Opens a window on an empty bed, a mesh (STL, OBJ, PLY, OFF) or a scene. The shape prints\n"
     "without supports after every stroke.\n"
     "\n"
-    "  --scene NAME       begin with a scene: garden\n"
-    "  --resolution N     voxels along the longest side of the space, 32 to 512 (default 256)\n"
+    "  --scene NAME       begin with a scene: garden, shaun, pumpkin, intertwined\n"
+    "  --resolution N     voxels along the longest side of the space, 64 to 512 (default 256)\n"
     "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
     "  --view AZ,EL       degrees around and above (default -60,25)\n"
     "  --cut MM           show only what lies below that height\n"
@@ -35,8 +35,8 @@ static const char help[] =
     "\n"
     "examples:\n"
     "  sculpt part.stl\n"
-    "  sculpt --headless --scene garden --shot garden.png --hash\n"
-    "  sculpt --headless --scene garden --bench --size 1920x1080\n";
+    "  sculpt --headless --scene shaun --shot shaun.png --hash\n"
+    "  sculpt --headless --scene shaun --bench --size 1920x1080\n";
 
 static int read_pair(const char *text, char between, double *a, double *b)
 {
@@ -69,7 +69,7 @@ static int take(app_options *o, int option, const char *text)
         o->shot = text;
         return 1;
     case 'r':
-        if (!read_number(text, 32, 512, &a)) {
+        if (!read_number(text, 64, 512, &a)) {
             return 0;
         }
         o->resolution = (uint32_t)a;
