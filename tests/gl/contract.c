@@ -131,6 +131,56 @@ static uint32_t word_at(unsigned buffer, size_t i)
     return word;
 }
 
+// That the box of the last change holds these boxes of the library's.
+static void check_changed(const twin *t, const sf_sculpt_change *c)
+{
+    uint32_t box[6];
+    for (size_t k = 0; k < 6; k++) {
+        box[k] = word_at(gpu_sculpt_view(t->gpu).ledger, 12 + k);
+    }
+    const sf_box parts[3] = {c->drawn, c->printable, c->material};
+    for (int k = 0; k < 3; k++) {
+        sf_box b = parts[k];
+        CHECK(b.x1 == 0 || (box[0] <= b.x0 && box[1] <= b.y0 && box[2] <= b.z0 && box[3] >= b.x1 &&
+                            box[4] >= b.y1 && box[5] >= b.z1));
+    }
+    CHECK(box[3] <= t->options.lattice.nx && box[4] <= t->options.lattice.ny &&
+          box[5] <= t->options.lattice.nz);
+}
+
+static void the_box_of_what_changed(void)
+{
+    sf_sculpt_options options = twin_options(150, 40, 30);
+    options.keep_drawn = 1;
+    twin t = twin_new(&options);
+    for (int i = 0; i < 60; i++) {
+        random_stroke s = random_stroke_new(&options.lattice, 5);
+        sf_sculpt_change c;
+        CHECK(sf_sculpt_stroke(t.cpu, &s.brush, s.dabs, s.count, &c) == SF_OK);
+        CHECK(gpu_sculpt_begin(t.gpu, &s.brush) == SF_OK);
+        CHECK(gpu_sculpt_dab(t.gpu, s.dabs, s.count) == SF_OK);
+        check_changed(&t, &c);
+        CHECK(gpu_sculpt_end(t.gpu) == SF_OK);
+        check_changed(&t, &c);
+        sf_status undone = sf_sculpt_undo(t.cpu, &c);
+        CHECK(gpu_sculpt_undo(t.gpu) == SF_OK);
+        if (undone == SF_OK) {
+            check_changed(&t, &c);
+        }
+        if (i % 4 != 0 && undone == SF_OK) {
+            CHECK(sf_sculpt_redo(t.cpu, &c) == SF_OK);
+            CHECK(gpu_sculpt_redo(t.gpu) == SF_OK);
+            check_changed(&t, &c);
+        }
+        CHECK(gpu_sculpt_begin(t.gpu, &s.brush) == SF_OK);
+        CHECK(gpu_sculpt_dab(t.gpu, s.dabs, s.count) == SF_OK);
+        CHECK(gpu_sculpt_abandon(t.gpu) == SF_OK);
+        CHECK_EQ(twin_differs(&t), 0);
+        random_stroke_free(&s);
+    }
+    twin_free(&t);
+}
+
 // Voxels that are looked up as gpu_sculpt.h tells a view to.
 static void what_a_view_finds(void)
 {
@@ -139,20 +189,8 @@ static void what_a_view_finds(void)
     twin t = twin_new(&options);
     for (int i = 0; i < 30; i++) {
         random_stroke s = random_stroke_new(&options.lattice, 8);
-        sf_sculpt_change c;
         CHECK(gpu_sculpt_stroke(t.gpu, &s.brush, s.dabs, s.count) == SF_OK);
-        CHECK(sf_sculpt_stroke(t.cpu, &s.brush, s.dabs, s.count, &c) == SF_OK);
-        gpu_view v = gpu_sculpt_view(t.gpu);
-        uint32_t box[6];
-        for (size_t k = 0; k < 6; k++) {
-            box[k] = word_at(v.ledger, 12 + k);
-        }
-        const sf_box parts[3] = {c.drawn, c.printable, c.material};
-        for (int k = 0; k < 3; k++) {
-            sf_box b = parts[k];
-            CHECK(b.x1 == 0 || (box[0] <= b.x0 && box[1] <= b.y0 && box[2] <= b.z0 &&
-                                box[3] >= b.x1 && box[4] >= b.y1 && box[5] >= b.z1));
-        }
+        CHECK(sf_sculpt_stroke(t.cpu, &s.brush, s.dabs, s.count, NULL) == SF_OK);
         random_stroke_free(&s);
     }
     gpu_view v = gpu_sculpt_view(t.gpu);
@@ -215,6 +253,7 @@ int main(void)
     TEST(models_that_are_refused);
     TEST(calls_that_are_refused);
     TEST(whole_models);
+    TEST(the_box_of_what_changed);
     TEST(what_a_view_finds);
     TEST(the_ledger_is_one);
     gl_headless_destroy(context);

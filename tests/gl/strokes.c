@@ -159,12 +159,125 @@ static void at_odd_sizes(void)
     }
 }
 
+// A stroke of a brush along a line, and the model it leaves.
+static void draw_line(twin *t, sf_brush_kind kind, const sf_tip *tip, sf_dab from, sf_dab to)
+{
+    sf_dab dabs[1200];
+    size_t count = 0;
+    sf_brush brush = sf_brush_default();
+    sf_sculpt_change change;
+    brush.kind = kind;
+    brush.tip = tip;
+    brush.material = (uint8_t)(kind + 1);
+    brush.mirror_x = brush.mirror_y = 1;
+    CHECK(sf_dab_line(from, to, dabs, 1200, &count) == SF_OK);
+    CHECK(sf_sculpt_stroke(t->cpu, &brush, dabs, count, &change) == SF_OK);
+    CHECK(gpu_sculpt_stroke(t->gpu, &brush, dabs, count) == SF_OK);
+    compare(t, sf_brush_kind_name(kind));
+    compare_counts(t, &change);
+}
+
+// More dabs, four times each, than go to the card at once; a good part of them beyond the grid.
+static void along_lines(void)
+{
+    sf_sculpt_options options = twin_options(64, 64, 64);
+    twin t = twin_new(&options);
+    sf_tip *tip = NULL;
+    const double radius[3] = {3, 2, 4};
+    CHECK(sf_tip_create(SF_TIP_SPHERE, radius, NULL, &tip) == SF_OK);
+    static const sf_brush_kind kinds[] = {
+        SF_BRUSH_ADD_GROW,    SF_BRUSH_ADD_TRIM,        SF_BRUSH_REMOVE_TRIM, SF_BRUSH_ADD_GROW,
+        SF_BRUSH_SMOOTH_TRIM, SF_BRUSH_REMOVE_PRESERVE, SF_BRUSH_PAINT,       SF_BRUSH_ADD_GROW};
+    for (int i = 0; i < 16; i++) {
+        sf_dab from = {(int32_t)test_random_below(300) - 150, (int32_t)test_random_below(80) - 8,
+                       (int32_t)test_random_below(80) - 8};
+        sf_dab to = {from.x + 400, (int32_t)test_random_below(80) - 8,
+                     (int32_t)test_random_below(80) - 8};
+        draw_line(&t, kinds[i % 8], tip, from, to);
+    }
+    sf_tip_destroy(tip);
+    twin_free(&t);
+}
+
+// Distances on the bed are kept from one path to the next; whatever changes the bed's matter
+// between two paths, a stroke, an undo, a redo or another model, they must be found anew.
+static void the_bed_is_looked_at_again(void)
+{
+    sf_sculpt_options options = twin_options(64, 64, 64);
+    const double radius[3] = {1, 1, 1};
+    sf_tip *tip = NULL;
+    CHECK(sf_tip_create(SF_TIP_SPHERE, radius, NULL, &tip) == SF_OK);
+    for (int i = 0; i < 12; i++) {
+        twin t = twin_new(&options);
+        const sf_dab corner = {i & 1 ? 60 : 3, i & 2 ? 60 : 3, 0}, middle = {30, 31, 20};
+        const sf_dab other = {63 - corner.x, 26 + i, 0};
+        sf_brush brush = sf_brush_default();
+        brush.tip = tip;
+        CHECK(gpu_sculpt_stroke(t.gpu, &brush, &other, 1) == SF_OK);
+        CHECK(sf_sculpt_stroke(t.cpu, &brush, &other, 1, NULL) == SF_OK);
+        CHECK(gpu_sculpt_stroke(t.gpu, &brush, &corner, 1) == SF_OK);
+        CHECK(sf_sculpt_stroke(t.cpu, &brush, &corner, 1, NULL) == SF_OK);
+        for (int step = 0; step < 4; step++) {
+            brush.kind = SF_BRUSH_ADD_GROW; // found, and given up, so that the bed stays as it is
+            CHECK(gpu_sculpt_begin(t.gpu, &brush) == SF_OK);
+            CHECK(gpu_sculpt_dab(t.gpu, &middle, 1) == SF_OK);
+            CHECK(sf_sculpt_begin(t.cpu, &brush) == SF_OK);
+            CHECK(sf_sculpt_dab(t.cpu, &middle, 1, NULL) == SF_OK);
+            compare(&t, "to the bed");
+            CHECK(gpu_sculpt_abandon(t.gpu) == SF_OK);
+            CHECK(sf_sculpt_abandon(t.cpu, NULL) == SF_OK);
+            CHECK((step < 2 ? gpu_sculpt_undo(t.gpu) : gpu_sculpt_redo(t.gpu)) == SF_OK);
+            CHECK((step < 2 ? sf_sculpt_undo(t.cpu, NULL) : sf_sculpt_redo(t.cpu, NULL)) == SF_OK);
+        }
+        CHECK(gpu_sculpt_replace(t.gpu, NULL, NULL) == SF_OK);
+        CHECK(sf_sculpt_replace(t.cpu, NULL, NULL, NULL) == SF_OK);
+        draw_line(&t, SF_BRUSH_ADD_GROW, tip, middle, middle);
+        twin_free(&t);
+    }
+    sf_tip_destroy(tip);
+}
+
+// Anchors far outside their tips and dabs as far as they may be.
+static void from_afar(void)
+{
+    static const int32_t far = 1 << 30;
+    sf_sculpt_options options = twin_options(64, 30, 64);
+    twin t = twin_new(&options);
+    sf_lattice three = {3, 4, 5, 1, 1, 1, NULL, {0, 0, 0}};
+    sf_grid *mask = NULL;
+    CHECK(sf_grid_create(&three, NULL, &mask) == SF_OK);
+    for (uint32_t z = 0; z < 5; z++) {
+        CHECK(sf_slice_fill(sf_grid_slice(mask, z), (sf_rect){0, 0, 3 - z / 2, 4}, 1) == SF_OK);
+    }
+    const sf_dab anchors[] = {{far, 0, 0},   {-far, far, 2}, {1, 1, -far}, {-40, 3, 1},
+                              {40, -20, -3}, {1, 2, 1},      {0, 40, 60}};
+    for (size_t i = 0; i < sizeof anchors / sizeof *anchors; i++) {
+        sf_tip *tip = NULL;
+        CHECK(sf_tip_create_mask(mask, anchors[i], NULL, &tip) == SF_OK);
+        for (int kind = 0; kind < SF_BRUSH_KIND_COUNT; kind++) {
+            const sf_dab near = {20, 10, 30};
+            sf_dab onto = {anchors[i].x > 0 ? anchors[i].x : 0, anchors[i].y > 0 ? anchors[i].y : 0,
+                           anchors[i].z > 0 ? anchors[i].z : 0};
+            draw_line(&t, (sf_brush_kind)kind, tip, near, near);
+            draw_line(&t, (sf_brush_kind)kind, tip, onto, onto);
+            draw_line(&t, (sf_brush_kind)kind, tip, (sf_dab){-far, far, far},
+                      (sf_dab){-far, far, far});
+        }
+        sf_tip_destroy(tip);
+    }
+    sf_grid_destroy(mask);
+    twin_free(&t);
+}
+
 int main(void)
 {
     gl_headless *context = NULL;
     if (!gl_begin(&context)) {
         return gl_status;
     }
+    TEST(along_lines);
+    TEST(the_bed_is_looked_at_again);
+    TEST(from_afar);
     TEST(at_odd_sizes);
     TEST(at_64);
     gl_headless_destroy(context);

@@ -49,7 +49,7 @@ static const char *find_fault(void)
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     glGetIntegerv(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, &invocations);
-    if (bindings < (GLint)(GPU_FIXED_COUNT + GPU_OWN_COUNT) || blocks < 12 || invocations < 256) {
+    if (bindings < (GLint)(GPU_FIXED_COUNT + GPU_OWN_COUNT) || blocks < 14 || invocations < 256) {
         return "The graphics card binds too few buffers at once for the brushes.";
     }
     return NULL;
@@ -73,28 +73,28 @@ static sf_status check_options(const sf_sculpt_options *o, const char **why)
 // Memory
 // ---------------------------------------------------------------------------------------------
 
-static size_t bytes_of(const gpu_sculpt *m, unsigned which)
+static uint64_t bytes_of(const gpu_sculpt *m, unsigned which)
 {
-    size_t area = (size_t)m->lattice.nx * m->lattice.ny;
+    uint64_t area = (uint64_t)m->lattice.nx * m->lattice.ny;
     switch (which) {
     case GPU_MATERIALS:
     case GPU_MATERIALS_BEFORE:
-        return m->words * 32;
+        return (uint64_t)m->words * 32;
     case GPU_LEDGER:
-        return sizeof(ledger) + (size_t)LEDGER_STEPS * 8;
+        return sizeof(ledger) + LEDGER_STEPS * 8;
     case GPU_TIP:
         return 64;
     case GPU_PUTS:
         return GPU_PUT_MAX * sizeof(gpu_put);
     case GPU_HISTORY:
-        return m->options.history_size / 4 * 4 + 64;
+        return (uint64_t)m->options.history_size / 4 * 4 + 64;
     case GPU_SLICE:
     case GPU_OTHER_SLICE:
-        return (size_t)m->row_words * m->lattice.ny * 4;
+        return (uint64_t)m->row_words * m->lattice.ny * 4;
     case GPU_LANDINGS:
         return GPU_PUT_MAX * 16;
     case GPU_CHAINS:
-        return (size_t)GPU_PUT_MAX * m->lattice.nz * 4;
+        return (uint64_t)GPU_PUT_MAX * m->lattice.nz * 4;
     case GPU_ROW_SQUARE:
     case GPU_SQUARE:
         return area * 4;
@@ -107,12 +107,13 @@ static size_t bytes_of(const gpu_sculpt *m, unsigned which)
 }
 
 // Whether no buffer is larger than a shader may see.
-static int fits(const gpu_sculpt *m)
+static int fits(gpu_sculpt *m)
 {
     GLint64 most = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    m->block_max = most < 0 || most > INT32_MAX ? INT32_MAX : (size_t)most;
     for (unsigned i = 0; i < GPU_BUFFER_COUNT; i++) {
-        if (bytes_of(m, i) > (uint64_t)most) {
+        if (bytes_of(m, i) > m->block_max) {
             return 0;
         }
     }

@@ -85,7 +85,8 @@ struct gpu_sculpt {
     sf_sculpt_options options;
     sf_lattice lattice; // without heights
     uint32_t row_words;
-    size_t words; // of a grid
+    size_t words;     // of a grid
+    size_t block_max; // bytes of a buffer that a shader may see
     unsigned buffers[GPU_BUFFER_COUNT];
     unsigned programs[GPU_RUN_COUNT];
     gpu_stroke stroke;

@@ -126,43 +126,59 @@ static void put_tips(gpu_sculpt *m, const sf_dab *dabs, size_t count)
 // Tips
 // ---------------------------------------------------------------------------------------------
 
-// One way of a tip into `words`.
+// A row of a tip as it is, and mirrored; `to` is 0 on entry.
+static void write_row(const uint64_t *row, uint32_t row_words, uint32_t *to)
+{
+    for (uint32_t i = 0; i < row_words; i++) {
+        to[i] = (uint32_t)(row[i / 2] >> i % 2 * 32);
+    }
+}
+
+static void write_mirrored(sf_slice slice, uint32_t y, uint32_t *to)
+{
+    for (uint32_t x = 0; x < slice.width; x++) {
+        uint32_t at = slice.width - 1 - x;
+        to[at / 32] |= (uint32_t)sf_slice_get(slice, x, y) << at % 32;
+    }
+}
+
+// One way of a tip.
 static void write_way(const sf_grid *mask, unsigned way, uint32_t row_words, uint32_t *words)
 {
     sf_lattice l = sf_grid_lattice(mask);
     for (uint32_t z = 0; z < l.nz; z++) {
         sf_slice slice = sf_grid_slice(mask, z);
         for (uint32_t y = 0; y < l.ny; y++) {
-            uint32_t *row = words + ((size_t)z * l.ny + (way & 2 ? l.ny - 1 - y : y)) * row_words;
-            for (uint32_t x = 0; x < l.nx; x++) {
-                uint32_t to = way & 1 ? l.nx - 1 - x : x;
-                row[to / 32] |= (uint32_t)sf_slice_get(slice, x, y) << to % 32;
+            uint32_t to = way & 2 ? l.ny - 1 - y : y;
+            uint32_t *row = words + ((size_t)z * l.ny + to) * row_words;
+            if (way & 1) {
+                write_mirrored(slice, y, row);
+            } else {
+                write_row(slice.words + y * slice.stride, row_words, row);
             }
         }
     }
 }
 
-// The tip, each way that is asked for, in its buffer.
+// The tip, in each way up to the last that is asked for, in its buffer.
 static sf_status send_tip(gpu_sculpt *m, const sf_brush *brush)
 {
     const sf_grid *mask = sf_tip_mask(brush->tip, &m->stroke.anchor);
     sf_lattice l = sf_grid_lattice(mask);
+    unsigned ways = 1 + (brush->mirror_x ? 1u : 0) + (brush->mirror_y ? 2u : 0);
     uint32_t row_words = (l.nx + 31) / 32;
     size_t one = (size_t)row_words * l.ny * l.nz;
-    if (one > UINT32_MAX / 64) {
-        return SF_ERR_MEMORY; // 4 ways of it fit neither a buffer nor the numbers of a shader
+    if (one > m->block_max / 4 / ways) {
+        return SF_ERR_MEMORY;
     }
-    uint32_t *words = calloc(one, 4 * sizeof *words);
+    uint32_t *words = calloc(one, ways * sizeof *words);
     if (words == NULL) {
         return SF_ERR_MEMORY;
     }
-    for (unsigned way = 0; way < 4; way++) {
-        int is_wanted = ((way & 1) == 0 || brush->mirror_x) && ((way & 2) == 0 || brush->mirror_y);
-        if (is_wanted) {
-            write_way(mask, way, row_words, words + way * one);
-        }
+    for (unsigned way = 0; way < 4; way = next_way(m, way)) {
+        write_way(mask, way, row_words, words + way * one);
     }
-    glNamedBufferData(m->buffers[GPU_TIP], (GLsizeiptr)(one * 4 * sizeof *words), words,
+    glNamedBufferData(m->buffers[GPU_TIP], (GLsizeiptr)(one * ways * sizeof *words), words,
                       GL_STREAM_DRAW);
     free(words);
     static const unsigned users[] = {GPU_RUN_STAMP, GPU_RUN_EMIT, GPU_RUN_LAND};
