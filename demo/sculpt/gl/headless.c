@@ -2,7 +2,8 @@
 // Headless: OpenGL through EGL on a platform that has no surfaces.
 //
 // Mesa offers it with and without a graphics card; without one its own renderer draws. Nothing of
-// an X server is asked for.
+// an X server is asked for. The display belongs to the whole program, so it stays when a context
+// goes.
 
 #include "headless.h"
 
@@ -56,7 +57,6 @@ gl_headless *gl_headless_create(const char **why)
     *why = "There is no OpenGL 4.5 here.";
     if (made->context == EGL_NO_CONTEXT ||
         !eglMakeCurrent(made->display, EGL_NO_SURFACE, EGL_NO_SURFACE, made->context)) {
-        eglTerminate(made->display);
         free(made);
         return NULL;
     }
@@ -69,7 +69,6 @@ void gl_headless_destroy(gl_headless *headless)
     if (headless != NULL) {
         eglMakeCurrent(headless->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(headless->display, headless->context);
-        eglTerminate(headless->display);
         free(headless);
     }
 }

@@ -119,7 +119,8 @@ void put_straight(uvec3 at)
     }
 }
 
-// Layer z of X, where layer z + 1 is known.
+// Layer z of X, where layer z + 1 is known. What it writes last is read after the first wait of the
+// next layer, but for words that an invocation wrote itself. The flag only saves work.
 void sweep_layer(uint z)
 {
     uint me = gl_LocalInvocationIndex, n = words_in(columns);
@@ -147,7 +148,6 @@ void sweep_layer(uint z)
     for (uint i = me; any && i < n; i += 256u) {
         put_straight(word_of(columns, i));
     }
-    wait();
 }
 
 void main()
@@ -163,6 +163,7 @@ void main()
         columns = box(low.x, low.y, z - 1u, high.x, high.y, z);
         sweep_layer(z - 1u);
     }
+    wait();
     if (me == 0u) {
         ledger.edit = low_x < high_x ? box(low_x, low_y, low_z, high_x, high_y, high_z)
                                      : empty_box();

@@ -4,7 +4,7 @@
 // Steps lie in a ring one behind the other, each in one piece; one that does not fit before the end
 // goes to the beginning. What lies where it goes is the oldest, and is forgotten. A stroke that
 // changed nothing is no step. One that is larger than the ring is done and cannot be undone, and all
-// before it are forgotten. Mirrors libsf/sculpt/history.c, which counts bytes of runs where this
+// before it are forgotten. Mirrors libsf/sculpt/ring.c, which counts bytes of runs where this
 // counts words that changed, so that the two need not forget the same steps.
 //
 // One invocation: this is bookkeeping that the host would need to ask the GPU for.
