@@ -68,7 +68,7 @@ static size_t size_of(const sf_sculpt_options *options)
     add(&t, AREA_COUNT, l->nz, sizeof(sf_rect), 1);
     // Operators: what preserve keeps and the slices it sweeps; distances on the bed.
     add(&t, 1, row, l->ny, l->nz);
-    add(&t, 24, row, l->ny, 1);
+    add(&t, 32, row, l->ny, 1);
     add(&t, 1, area, 24, 1);
     add(&t, 1, (size_t)l->nx + l->nz, 64, 1);
     if (!sfi_rule_is_element(&options->rule)) {

@@ -78,9 +78,22 @@ void gpu_brush_paths(gpu_sculpt *m, uint32_t count, uint32_t pieces)
     gpu_dispatch(pieces, count);
 }
 
-static void grow(const gpu_sculpt *m)
+sf_box gpu_brace_box(const gpu_sculpt *m)
 {
     sf_box b = m->stroke.tips;
+    uint32_t nx = m->stroke.tip_nx, ny = m->stroke.tip_ny;
+    if (b.x0 < b.x1) {
+        b.x0 = b.x0 > nx ? b.x0 - nx : 0;
+        b.y0 = b.y0 > ny ? b.y0 - ny : 0;
+        b.x1 = m->lattice.nx - b.x1 > nx ? b.x1 + nx : m->lattice.nx;
+        b.y1 = m->lattice.ny - b.y1 > ny ? b.y1 + ny : m->lattice.ny;
+    }
+    return b;
+}
+
+static void grow(const gpu_sculpt *m)
+{
+    sf_box b = gpu_brace_box(m);
     set(m, GPU_SET_GROW);
     walk(m);
     gpu_use(m, GPU_RUN_BRACE);

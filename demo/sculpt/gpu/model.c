@@ -89,8 +89,9 @@ static uint64_t bytes_of(const gpu_sculpt *m, unsigned which)
     case GPU_HISTORY:
         return (uint64_t)m->options.history_size / 4 * 4 + 64;
     case GPU_SLICE:
-    case GPU_OTHER_SLICE:
         return (uint64_t)m->row_words * m->lattice.ny * 4;
+    case GPU_OTHER_SLICES:
+        return (uint64_t)m->row_words * m->lattice.ny * 4 * 5;
     case GPU_LANDINGS:
         return GPU_PUT_MAX * 16;
     case GPU_CHAINS:

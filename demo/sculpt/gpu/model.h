@@ -21,8 +21,8 @@ enum {
     GPU_GROWN,
     GPU_BRACED,
     GPU_HISTORY,
-    GPU_SLICE, // one layer of words, twice
-    GPU_OTHER_SLICE,
+    GPU_SLICE, // one layer of words, and five more
+    GPU_OTHER_SLICES,
     GPU_LANDINGS,
     GPU_CHAINS,
     GPU_ROW_SQUARE,
@@ -116,6 +116,9 @@ void gpu_open(gpu_sculpt *model, sf_box box);
 
 // What a brush does once the tips of a call are in the union, within the box that was opened.
 void gpu_brush_apply(gpu_sculpt *model);
+
+// The box around the stroke's tips and a tip's width more on every side. Braces lie in it or below.
+sf_box gpu_brace_box(const gpu_sculpt *model);
 
 // The closest supporting paths of puts that are on the card, with the tip along them.
 void gpu_brush_paths(gpu_sculpt *model, uint32_t count, uint32_t pieces);

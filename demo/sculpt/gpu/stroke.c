@@ -244,6 +244,7 @@ static sf_box box_to_open(const gpu_sculpt *m, sf_box fresh)
     case SF_BRUSH_SMOOTH_TRIM:
         return all;
     case SF_BRUSH_ADD_GROW: // braces reach down to the bed
+        all = gpu_brace_box(m);
         all.z0 = all.x0 < all.x1 && m->options.bed_layer < all.z0 ? m->options.bed_layer : all.z0;
         return all;
     default:

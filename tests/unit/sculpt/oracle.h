@@ -73,21 +73,6 @@ static inline int oracle_meets(const oracle *o, const uint8_t *part, const sf_el
     return 0;
 }
 
-// Whether the element at (x, y) lies in `a` and `b` together in layer z.
-static inline int oracle_lies_in(const oracle *o, const uint8_t *a, const uint8_t *b,
-                                 const sf_element *e, int x, int y, int z)
-{
-    for (int dy = -(int)e->reach_y; dy <= (int)e->reach_y; dy++) {
-        int w = e->half_width[dy < 0 ? -dy : dy];
-        for (int dx = -w; dx <= w; dx++) {
-            if (!oracle_get(o, a, x + dx, y + dy, z) && !oracle_get(o, b, x + dx, y + dy, z)) {
-                return 0;
-            }
-        }
-    }
-    return 1;
-}
-
 #define ORACLE_EACH(o, x, y, z)                                                                    \
     for (int z = 0; z < (o)->nz; z++)                                                              \
         for (int y = 0; y < (o)->ny; y++)                                                          \
@@ -221,57 +206,142 @@ static inline void oracle_smooth(oracle *o, uint32_t passes)
     }
 }
 
-// One layer of a brace, of rules that are elements: see libsf/sculpt/brace.c. `above` is a whole
-// model of which only layer k + 1 counts; x gets layer k.
-static inline void oracle_brace_layer(oracle *o, int k, uint8_t *x, const uint8_t *above)
+// The rectangle that braces look in: that of the tips, and a tip's size more on every side.
+static inline void oracle_within(const oracle *o, const sf_tip *tip, int low[2], int high[2])
 {
-    sf_element e;
-    uint8_t *fixed = calloc(o->count, 1), *rest = calloc(o->count, 1);
-    CHECK(sf_rule_element(&o->rule, (uint32_t)k, &e) == SF_OK);
-    for (int i = 0; i < o->nx * o->ny; i++) {
-        size_t here = oracle_at(o, 0, 0, k) + (size_t)i;
-        fixed[here] = o->t[here] || o->u[here];
-    }
-    for (int j = 0; j < o->ny; j++) {
-        for (int i = 0; i < o->nx; i++) {
-            rest[oracle_at(o, i, j, k + 1)] =
-                oracle_get(o, above, i, j, k + 1) && !oracle_meets(o, fixed, &e, i, j, k);
+    sf_lattice l = sf_grid_lattice(sf_tip_mask(tip, NULL));
+    const int more[2] = {(int)l.nx, (int)l.ny}, most[2] = {o->nx, o->ny};
+    low[0] = low[1] = INT32_MAX;
+    high[0] = high[1] = 0;
+    ORACLE_EACH(o, x, y, z)
+    {
+        const int at[2] = {x, y};
+        for (int i = 0; i < 2 && o->u[oracle_at(o, x, y, z)]; i++) {
+            low[i] = at[i] < low[i] ? at[i] : low[i];
+            high[i] = at[i] + 1 > high[i] ? at[i] + 1 : high[i];
         }
     }
-    for (int j = 0; j < o->ny; j++) {
-        for (int i = 0; i < o->nx; i++) {
-            x[oracle_at(o, i, j, k)] = oracle_get(o, above, i, j, k + 1) &&
-                                       !fixed[oracle_at(o, i, j, k)] &&
-                                       oracle_meets(o, rest, &e, i, j, k + 1) &&
-                                       oracle_lies_in(o, above, o->t, &e, i, j, k + 1);
+    for (int i = 0; i < 2; i++) {
+        low[i] = low[i] > more[i] ? low[i] - more[i] : 0;
+        high[i] = high[i] + more[i] < most[i] ? high[i] + more[i] : most[i];
+    }
+}
+
+// How many steps voxel (x, y) of layer k is from what stands there, within a rectangle; -1: none
+// is.
+static inline void oracle_distances(const oracle *o, const uint8_t *fixed, const sf_element *e,
+                                    int k, const int low[2], const int high[2], int *steps)
+{
+    int changed = 1;
+    for (int y = 0; y < o->ny; y++) {
+        for (int x = 0; x < o->nx; x++) {
+            int is_in = x >= low[0] && x < high[0] && y >= low[1] && y < high[1];
+            steps[y * o->nx + x] = is_in && oracle_get(o, fixed, x, y, k) ? 0 : -1;
         }
     }
-    memcpy(o->next, x, o->count);
-    for (int j = 0; j < o->ny; j++) {
-        for (int i = 0; i < o->nx; i++) {
-            if (rest[oracle_at(o, i, j, k + 1)] && !oracle_meets(o, o->next, &e, i, j, k)) {
-                x[oracle_at(o, i, j, k)] = 1;
+    for (int d = 0; changed; d++) {
+        changed = 0;
+        for (int y = low[1]; y < high[1]; y++) {
+            for (int x = low[0]; x < high[0]; x++) {
+                for (int j = -(int)e->reach_y; steps[y * o->nx + x] < 0 && j <= e->reach_y; j++) {
+                    int w = e->half_width[j < 0 ? -j : j];
+                    for (int i = -w; i <= w; i++) {
+                        int in_grid = oracle_has(o, x + i, y + j, k);
+                        if (in_grid && steps[(y + j) * o->nx + x + i] == d) {
+                            steps[y * o->nx + x] = d + 1;
+                            changed = 1;
+                            break;
+                        }
+                    }
+                }
             }
         }
     }
+}
+
+// The offsets of a cover, in its order: by rings, in a ring by how far off the axis.
+static inline int oracle_offsets(const sf_element *e, int offsets[][2])
+{
+    int count = 0;
+    for (int r = 0; r < 256; r++) {
+        for (int t = 0; t <= r; t++) {
+            for (int i = 0; i < 8; i++) {
+                int dx = i < 4 ? r : t, dy = i < 4 ? t : r, sx = i & 1, sy = i >> 1 & 1;
+                int is_twice = (sx && dx == 0) || (sy && dy == 0) || (i >= 4 && r == t);
+                if (!is_twice && dy <= e->reach_y && dx <= e->half_width[dy]) {
+                    offsets[count][0] = sx ? -dx : dx;
+                    offsets[count++][1] = sy ? -dy : dy;
+                }
+            }
+        }
+    }
+    return count;
+}
+
+// One layer of a brace, of rules that are elements: see libsf/sculpt/brace.c. `above` is a whole
+// model of which only layer k + 1 counts; x gets layer k.
+static inline void oracle_brace_layer(oracle *o, int k, uint8_t *x, const uint8_t *above,
+                                      const int low[2], const int high[2])
+{
+    static int offsets[1024][2];
+    sf_element e;
+    int n = o->nx * o->ny, *steps = malloc((size_t)n * sizeof *steps);
+    uint8_t *fixed = calloc(o->count, 1), *rest = calloc((size_t)n, 1), *fresh = malloc((size_t)n);
+    size_t base = oracle_at(o, 0, 0, k);
+    CHECK(sf_rule_element(&o->rule, (uint32_t)k, &e) == SF_OK);
+    int count = oracle_offsets(&e, offsets);
+    for (int i = 0; i < n; i++) {
+        fixed[base + (size_t)i] = o->t[base + (size_t)i] || o->u[base + (size_t)i];
+    }
+    for (int i = 0; i < n; i++) {
+        rest[i] = oracle_get(o, above, i % o->nx, i / o->nx, k + 1) &&
+                  !oracle_meets(o, fixed, &e, i % o->nx, i / o->nx, k);
+    }
+    oracle_distances(o, fixed, &e, k, low, high, steps);
+    for (int c = 0; c < 3; c++) {
+        for (int f = 0; f < count; f++) {
+            memset(fresh, 0, (size_t)n);
+            for (int i = 0; i < n; i++) {
+                int px = i % o->nx + offsets[f][0], py = i / o->nx + offsets[f][1];
+                int here = steps[i];
+                if (rest[i] && here >= 0 && here % 3 == c && oracle_has(o, px, py, k) &&
+                    steps[py * o->nx + px] == here - 1) {
+                    fresh[py * o->nx + px] = 1;
+                }
+            }
+            for (int i = 0; i < n; i++) {
+                x[base + (size_t)i] |= fresh[i];
+            }
+            for (int i = 0; i < n; i++) {
+                rest[i] = rest[i] && !oracle_meets(o, x, &e, i % o->nx, i / o->nx, k);
+            }
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        x[base + (size_t)i] |= rest[i];
+    }
+    free(steps);
     free(fixed);
     free(rest);
+    free(fresh);
 }
 
 // What the paths and the tips need below them; oracle_trim() has run with both drawn.
-static inline void oracle_brace(oracle *o, uint8_t material)
+static inline void oracle_brace(oracle *o, const sf_brush *brush)
 {
+    int low[2], high[2];
     uint8_t *x = calloc(o->count, 1), *above = calloc(o->count, 1);
+    oracle_within(o, brush->tip, low, high);
     for (int k = o->nz - 2; k >= o->bed; k--) {
         for (int i = 0; i < o->nx * o->ny; i++) {
             size_t a = oracle_at(o, 0, 0, k + 1) + (size_t)i;
             above[a] = o->u[a] || x[a];
         }
-        oracle_brace_layer(o, k, x, above);
+        oracle_brace_layer(o, k, x, above, low, high);
     }
     for (size_t i = 0; i < o->count; i++) {
         if (x[i] && !o->d[i]) {
-            oracle_set_drawn(o, i, 1, material);
+            oracle_set_drawn(o, i, 1, brush->material);
         }
     }
     free(x);
@@ -347,7 +417,7 @@ static inline void oracle_apply(oracle *o, const sf_brush *brush)
     }
     oracle_trim(o);
     if (is_grow) {
-        oracle_brace(o, brush->material);
+        oracle_brace(o, brush);
         oracle_trim(o);
     }
 }
