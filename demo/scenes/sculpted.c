@@ -113,14 +113,15 @@ static void add_ribs(chisel *c)
 static void carve_face(chisel *c)
 {
     chisel_mirror(c, 1, 0);
-    chisel_take(c, SF_BRUSH_REMOVE_TRIM, RUST, SF_TIP_CONE, 5.0, 16, 6.0); // eyes
-    chisel_at(c, 10.5, -29, 31);
+    chisel_take(c, SF_BRUSH_REMOVE_TRIM, RUST, SF_TIP_CONE, 5.6, 60, 6.5); // eyes
+    chisel_at(c, 10.5, -36, 31);
     chisel_mirror(c, 0, 0);
-    chisel_take(c, SF_BRUSH_REMOVE_TRIM, RUST, SF_TIP_CONE, 3.2, 16, 3.6); // the nose
-    chisel_at(c, 0, -31, 25);
-    chisel_take(c, SF_BRUSH_REMOVE_PRESERVE, RUST, SF_TIP_BOX, 1.6, 16, 2.6); // teeth between gaps
+    chisel_take(c, SF_BRUSH_REMOVE_TRIM, RUST, SF_TIP_CONE, 3.4, 60, 4.2); // the nose
+    chisel_at(c, 0, -36, 24.5);
+    chisel_take(c, SF_BRUSH_REMOVE_PRESERVE, RUST, SF_TIP_BOX, 1.3, 22,
+                2.8); // a grin, by gaps between teeth
     for (int i = -4; i <= 4; i++) {
-        chisel_at(c, 3.4 * i, -29, 17.0 + 0.16 * i * i);
+        chisel_at(c, 3.6 * i, -33, 15.5 + 0.2 * i * i);
         chisel_lift(c);
     }
 }
@@ -128,14 +129,14 @@ static void carve_face(chisel *c)
 static void add_arms(chisel *c)
 {
     static const double path[5][3] = {
-        {28, -4, 18}, {34, -8, 23}, {38, -13, 30}, {36, -17, 37}, {32, -18, 42}};
+        {29, -2, 24}, {34, -5, 30}, {37, -9, 37}, {36, -13, 44}, {33, -15, 50}};
     chisel_mirror(c, 1, 0);
     chisel_take_ball(c, SF_BRUSH_ADD_GROW, MOSS, 3.0);
     for (int i = 0; i < 4; i++) {
         chisel_line(c, path[i], path[i + 1]);
     }
     chisel_take_ball(c, SF_BRUSH_ADD_TRIM, GOLD, 4.2);
-    chisel_at(c, 31, -18, 43);
+    chisel_at(c, 32, -16, 52);
     chisel_mirror(c, 0, 0);
 }
 
@@ -168,7 +169,7 @@ static void make_pumpkin(chisel *c)
 
 static void strand_at(int strand, double part, double at[3])
 {
-    double a = turn(0.82 * part + strand / 3.0), r = 21 - 11 * part + 6 * sin(CHISEL_PI * part);
+    double a = turn(0.66 * part + strand / 3.0), r = 20 - 9 * part + 3 * sin(CHISEL_PI * part);
     at[0] = r * cos(a);
     at[1] = r * sin(a);
     at[2] = 96 * part;

@@ -100,7 +100,8 @@ sf_session_counts sf_session_count(const sf_session *session)
 // Tips
 // ---------------------------------------------------------------------------------------------
 
-sf_status sfi_session_take_tip(sf_session *session, const sfi_session_tip *made, uint32_t *number)
+// A tip that was made, which the session takes over; also when it fails.
+static sf_status take_tip(sf_session *session, const sfi_session_tip *made, uint32_t *number)
 {
     sf_status status = session->tips.count < SFI_SESSION_TIPS_MAX
                            ? sfi_list_push(&session->allocator, &session->tips, made)
@@ -122,7 +123,7 @@ sf_status sf_session_add_tip(sf_session *session, sf_tip_shape shape, const doub
     }
     SF_TRY(sf_tip_create(shape, radius_vx, &session->allocator, &made.tip));
     memcpy(made.radius_vx, radius_vx, sizeof made.radius_vx);
-    return sfi_session_take_tip(session, &made, tip);
+    return take_tip(session, &made, tip);
 }
 
 sf_status sf_session_add_mask(sf_session *session, const sf_grid *mask, sf_dab anchor,
@@ -133,7 +134,7 @@ sf_status sf_session_add_mask(sf_session *session, const sf_grid *mask, sf_dab a
         return SF_ERR_ARGUMENT;
     }
     SF_TRY(sf_tip_create_mask(mask, anchor, &session->allocator, &made.tip));
-    return sfi_session_take_tip(session, &made, tip);
+    return take_tip(session, &made, tip);
 }
 
 const sf_tip *sf_session_tip(const sf_session *session, uint32_t tip)

@@ -58,9 +58,6 @@ struct sf_session {
 sf_status sfi_session_runs_of(const sf_session *session, const sf_grid *drawn,
                               const uint8_t *materials, sfi_list *runs);
 
-// Add a tip that was made, which the session takes over; also when it fails.
-sf_status sfi_session_take_tip(sf_session *session, const sfi_session_tip *made, uint32_t *number);
-
 // Whether a run lies in the session's space and has a material.
 int sfi_session_run_is_valid(const sf_session *session, const sfi_session_run *run);
 

@@ -80,6 +80,24 @@ static sf_status play_other(sf_session_step step, sf_sculpt *model, sf_sculpt_ch
     return status == SF_ERR_INFEASIBLE ? SF_OK : status;
 }
 
+int sf_session_stroke(const sf_session *session, size_t step, sf_brush *brush, const sf_dab **dabs,
+                      size_t *count)
+{
+    if (session == NULL || brush == NULL || dabs == NULL || count == NULL ||
+        step >= session->items.count) {
+        return 0;
+    }
+    const sfi_session_item *item = (const sfi_session_item *)session->items.items + step;
+    if (item->kind != SFI_STEP_STROKE) {
+        return 0;
+    }
+    *brush = item->brush;
+    brush->tip = sf_session_tip(session, item->tip);
+    *dabs = item->count > 0 ? (const sf_dab *)session->dabs.items + item->first : NULL;
+    *count = item->count;
+    return 1;
+}
+
 sf_status sf_session_play(const sf_session *session, size_t step, const sf_allocator *allocator,
                           sf_sculpt *model, sf_sculpt_change *change)
 {
@@ -98,10 +116,11 @@ sf_status sf_session_play(const sf_session *session, size_t step, const sf_alloc
         return replace(session, (const sfi_session_run *)session->runs.items + item->first,
                        item->count, allocator, model, change);
     }
-    sf_brush brush = item->brush;
-    brush.tip = sf_session_tip(session, item->tip);
-    const sf_dab *dabs = item->count > 0 ? (const sf_dab *)session->dabs.items + item->first : NULL;
-    return sf_sculpt_stroke(model, &brush, dabs, item->count, change);
+    sf_brush brush;
+    const sf_dab *dabs;
+    size_t count;
+    (void)sf_session_stroke(session, step, &brush, &dabs, &count);
+    return sf_sculpt_stroke(model, &brush, dabs, count, change);
 }
 
 // SF_OK where the model is what the state says.

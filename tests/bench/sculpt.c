@@ -8,6 +8,9 @@
 #include "scenes.h"
 
 #include <sf/sculpt.h>
+#ifdef SF_HAVE_SCENES
+#include "sculpted.h"
+#endif
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,11 +97,42 @@ static void measure(sculpt_work *w, sf_brush_kind kind, const char *job, double 
     }
 }
 
+#ifdef SF_HAVE_SCENES
+// A whole session of the sheep's, 151 strokes, model and all.
+static void measure_session(void)
+{
+    enum { ROUNDS = 9 };
+    double times[ROUNDS];
+    sf_session *session = NULL;
+    if (!bench_wants("sculpt session")) {
+        return;
+    }
+    bench_must(sculpted_session("shaun", 512, NULL, &session));
+    for (int i = 0; i < ROUNDS; i++) {
+        sf_sculpt *model = NULL;
+        bench_must(sf_session_begin(session, NULL, &model));
+        double start = bench_now_ms();
+        for (size_t k = 0; k < sf_session_count(session).steps; k++) {
+            bench_must(sf_session_play(session, k, NULL, model, NULL));
+        }
+        times[i] = bench_now_ms() - start;
+        sf_sculpt_destroy(model);
+    }
+    sf_session_destroy(session);
+    bench_spread("sculpt session", "shaun 512", 500, times, ROUNDS);
+}
+#else
+static void measure_session(void)
+{
+}
+#endif
+
 void bench_sculpt(void)
 {
     if (!bench_wants("sculpt")) {
         return;
     }
+    measure_session();
     const double radius[3] = {RADIUS, RADIUS, RADIUS};
     sf_sculpt_options options = sf_sculpt_options_default();
     sf_grid *scene = scene_balls(options.lattice.nx);

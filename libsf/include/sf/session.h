@@ -198,12 +198,27 @@ SF_API SF_CHECKED sf_status sf_session_begin(const sf_session *session,
  * @param model      of the session's space
  * @param change     what changed; may be NULL
  * @return SF_OK, also where there was nothing to undo or redo; SF_ERR_ARGUMENT: a NULL pointer, a
- * step that there is not; what the step's own call says.
+ * step that there is not; SF_ERR_MEMORY: for a shape; what the step's own call says.
  * @cost that of the step.   @threads one per model.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_session_play(const sf_session *session, size_t step,
                                             const sf_allocator *allocator, sf_sculpt *model,
                                             sf_sculpt_change *change);
+
+/**
+ * What a step is, where it is a stroke: for a host that does strokes by other means.
+ *
+ * @param session  the session
+ * @param step     number of the step
+ * @param brush    receives the brush, with its tip, which lives as long as the session
+ * @param dabs     receives its dabs, which live until the next one is added; NULL where there are
+ *                 none
+ * @param count    receives how many
+ * @return 1; 0, with nothing written, for a step that is no stroke or not there, and for NULL.
+ * @cost constant.   @threads any.   @since 0.1
+ */
+SF_API int sf_session_stroke(const sf_session *session, size_t step, sf_brush *brush,
+                             const sf_dab **dabs, size_t *count);
 
 /**
  * Do all steps on a new model, and hold the result against the state that is kept, if one is.
