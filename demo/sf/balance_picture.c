@@ -21,6 +21,7 @@ enum { PLANS_MAX = 4, LEAST_SIDE = 24, TITLE_SIZE = 200 };
 
 #define MARGIN 0.06      // around a shape
 #define MARGIN_LARGE 0.2 // around what is shown larger
+#define FAR 5.0          // times as large: then where the centre of mass was is left out of that
 #define SMALL 0.45       // of a plan: what takes less of it is shown larger
 #define DEGREES (180 / 3.14159265358979323846)
 
@@ -48,6 +49,11 @@ typedef struct sheet {
 // What is seen
 // ---------------------------------------------------------------------------------------------
 
+static double extent(const double low[2], const double high[2])
+{
+    return fmax(high[0] - low[0], high[1] - low[1]);
+}
+
 static void measure(const model *m, view *v)
 {
     sf_mesh_view mesh = sf_stand_outer(m->stand);
@@ -56,10 +62,13 @@ static void measure(const model *m, view *v)
         v->core_low[i] = fmin(p->support.low[i], p->safe.low[i]);
         v->core_high[i] = fmax(p->support.high[i], p->safe.high[i]);
     }
-    plan_take_in(p->before, v->core_low, v->core_high);
     plan_take_in(p->after, v->core_low, v->core_high);
     memcpy(v->low, v->core_low, sizeof v->low);
     memcpy(v->high, v->core_high, sizeof v->high);
+    plan_take_in(p->before, v->low, v->high);
+    if (FAR * extent(v->core_low, v->core_high) > extent(v->low, v->high)) {
+        plan_take_in(p->before, v->core_low, v->core_high);
+    }
     for (size_t i = 0; i < 3 * mesh.triangle_count; i++) {
         double at[2];
         plan_place(p, mesh.vertices + 3 * (size_t)mesh.triangles[i], at);
@@ -75,12 +84,7 @@ static void measure(const model *m, view *v)
 
 static int is_small(const view *v)
 {
-    double core = 0, all = 0;
-    for (int i = 0; i < 2; i++) {
-        core = fmax(core, v->core_high[i] - v->core_low[i]);
-        all = fmax(all, v->high[i] - v->low[i]);
-    }
-    return core < SMALL * all;
+    return extent(v->core_low, v->core_high) < SMALL * extent(v->low, v->high);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -155,7 +159,7 @@ static void choose_words(sheet *s)
     s->key.words[MARK_SHADOW] = "the shape from above";
     s->key.words[MARK_SAFE] = "safe for its centre of mass";
     s->key.words[MARK_BEFORE] = "centre of mass before";
-    s->key.words[MARK_AFTER] = "and after";
+    s->key.words[MARK_AFTER] = "centre of mass after";
     for (size_t i = 0; i < s->count; i++) {
         sf_stance_kind kind = s->views[i].plan.kind;
         rocks += kind == SF_STANCE_ROCK;
@@ -234,6 +238,15 @@ static sf_status draw_plot(cli_job *job, const model *m, const sheet *s, const v
     return status;
 }
 
+// Of what the part is a part.
+static const char *name_part(const view *v)
+{
+    double reach = MARKS_REACH * v->whole.unit * v->whole.pixel_mm;
+    return 0.5 * extent(v->whole.window_low, v->whole.window_high) < reach
+               ? "what the marks on the left hide"
+               : "what the frame on the left holds";
+}
+
 static sf_status draw_view(cli_job *job, const model *m, const sheet *s, size_t index,
                            canvas *picture)
 {
@@ -241,8 +254,10 @@ static sf_status draw_view(cli_job *job, const model *m, const sheet *s, size_t 
     sf_status status = draw_plot(job, m, s, v, &v->whole, picture);
     if (status == SF_OK && v->has_part) {
         status = draw_plot(job, m, s, v, &v->part, picture);
+    }
+    if (status == SF_OK && v->has_part && is_framed(v, &v->part)) {
         canvas_text(picture, v->part.x + v->part.width, v->part.y - s->size * 5 / 8,
-                    s->size * 7 / 8, TEXT_RIGHT, ink, "what the frame on the left holds");
+                    s->size * 7 / 8, TEXT_RIGHT, ink, name_part(v));
     }
     if (status == SF_OK && is_framed(v, &v->whole)) {
         draw_title(job, m, index, s, picture);

@@ -194,6 +194,15 @@ def hanging(folder):
        abs((middle(string)[1] - shape[1]) / scale - 15) < 0.3, "the point that it hangs from is seen")
     ok(abs((middle(dot)[0] - shape[0]) / scale - 20) < 0.3, "and the centre of mass beside it")
     ok(find(rows, [SUPPORT], (0, 0, WIDTH, HEIGHT)) is None, "and nothing that it would stand on")
+    # Carved, so that its centre comes 2 mm nearer, to within 0.2 mm: the large plan is of these.
+    _, rows = draw(folder, box_mesh((0, 0, 0), (40, 30, 20)), "--suspend", "22,15,20", "--no-deform",
+                   "--resolution", "40")
+    plans = frames(rows)
+    ok(len(plans) == 2, f"what the marks hide has a plan of its own: {plans}")
+    safe, dot = find(rows, [SAFE], plans[1]), find(rows, [DOT], plans[1])
+    ok(safe[2] - safe[0] > 0.4 * (plans[1][2] - plans[1][0]) and
+       safe[0] - 3 < middle(dot)[0] < safe[2] + 3 and safe[1] < middle(dot)[1] < safe[3],
+       "in which one sees whether it is safe")
 
 
 def main():
