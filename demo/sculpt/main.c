@@ -5,6 +5,9 @@
 
 #include "app/options.h"
 #include "app/shot.h"
+#ifdef SCULPT_HAVE_WINDOW
+#include "app/window.h"
+#endif
 
 int main(int argc, char **argv)
 {
@@ -17,9 +20,13 @@ int main(int argc, char **argv)
     default:
         break;
     }
-    if (!options.headless) {
-        fputs("sculpt: this build has no window; see --headless.\n", stderr);
-        return 2;
+    if (options.headless) {
+        return app_run_headless(&options);
     }
-    return app_run_headless(&options);
+#ifdef SCULPT_HAVE_WINDOW
+    return app_run_window(&options);
+#else
+    fputs("sculpt: this build has no window (it was made without GLFW); see --headless.\n", stderr);
+    return 2;
+#endif
 }

@@ -4,6 +4,7 @@
 #include "open.h"
 
 #include <sf/io.h>
+#include <sf/session.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -174,6 +175,47 @@ sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY
     }
     sf_mesh_destroy(mesh);
     return model;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Sessions
+// ---------------------------------------------------------------------------------------------
+
+sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE])
+{
+    sf_file *file = NULL;
+    sf_session *session = NULL;
+    sf_sculpt *model = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    sf_status status = sf_file_open(path, NULL, &file, &fault);
+    if (status == SF_OK) {
+        status = sf_session_read(sf_file_source(file), 0, NULL, &session, &fault);
+    }
+    sf_file_close(file);
+    if (status == SF_OK) {
+        status = sf_session_replay(session, NULL, NULL, &model);
+    }
+    sf_session_destroy(session);
+    if (status != SF_OK && fault.line > 0) {
+        snprintf(why, APP_WHY_SIZE, "%s, line %u: %s", path, fault.line, fault.message);
+        return NULL;
+    }
+    return status == SF_OK
+               ? model
+               : fail(why, path,
+                      fault.message[0] != '\0' ? fault.message : sf_status_message(status));
+}
+
+sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE])
+{
+    if (options->session != NULL) {
+        return app_open_session(options->session, why);
+    }
+    if (options->scene != NULL) {
+        return app_open_scene(options->scene, options->resolution, why);
+    }
+    return options->file != NULL ? app_open_mesh(options->file, options->resolution, why)
+                                 : app_open_empty(options->resolution, why);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -6,6 +6,8 @@
 
 #include <sf/sculpt.h>
 
+#include "options.h"
+
 #define APP_WHY_SIZE 320
 
 // An empty model in a cube of `resolution` voxels of 0.25 mm. NULL where that fails; `why` gets a
@@ -15,6 +17,12 @@ sf_sculpt *app_open_empty(uint32_t resolution, char why[APP_WHY_SIZE]);
 // A mesh, in the middle of the bed, as large as it is; voxels are as large as it takes. What of it
 // does not print without supports is left out. The model is new; NULL as above.
 sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE]);
+
+// What a session gives, in its own space.
+sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE]);
+
+// What the command line asks to begin with.
+sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE]);
 
 // A scene by its name.
 sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE]);

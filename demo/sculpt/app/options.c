@@ -22,13 +22,17 @@ static const char help[] =
     "without supports after every stroke.\n"
     "\n"
     "  --scene NAME       begin with a scene: garden, shaun, pumpkin, intertwined\n"
+    "  --session FILE     begin with what a session gives\n"
+    "  --input FILE       do what was recorded: pointer, keys and settings\n"
+    "  --record FILE      record that, from the window\n"
+    "  --save FILE        write the session at the end\n"
     "  --resolution N     voxels along the longest side of the space, 64 to 512 (default 256)\n"
     "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
     "  --view AZ,EL       degrees around and above (default -60,25)\n"
     "  --cut MM           show only what lies below that height\n"
     "  --overhangs        show what leans on its neighbours\n"
     "  --headless         no window; with --shot, --hash or --bench\n"
-    "  --shot FILE.png    write a picture\n"
+    "  --shot FILE.png    write a picture; of the window, panel and all, which then closes\n"
     "  --hash             print a number that is the same for the same model\n"
     "  --bench            print what a frame takes\n"
     "  --help, --version\n"
@@ -68,6 +72,18 @@ static int take(app_options *o, int option, const char *text)
     case 'o':
         o->shot = text;
         return 1;
+    case 'i':
+        o->input = text;
+        return 1;
+    case 'R':
+        o->record = text;
+        return 1;
+    case 'S':
+        o->session = text;
+        return 1;
+    case 'w':
+        o->save = text;
+        return 1;
     case 'r':
         if (!read_number(text, 64, 512, &a)) {
             return 0;
@@ -97,12 +113,14 @@ static int take(app_options *o, int option, const char *text)
 static app_asked check(const app_options *o)
 {
     const char *why = NULL;
-    if (o->file != NULL && o->scene != NULL) {
-        why = "give a mesh or a --scene, not both";
-    } else if (!o->headless && (o->shot != NULL || o->hash || o->bench)) {
-        why = "--shot, --hash and --bench go with --headless";
-    } else if (o->headless && o->shot == NULL && !o->hash && !o->bench) {
-        why = "--headless does nothing alone: add --shot FILE.png, --hash or --bench";
+    if ((o->file != NULL) + (o->scene != NULL) + (o->session != NULL) > 1) {
+        why = "give a mesh, a --scene or a --session, one of them";
+    } else if (!o->headless && (o->hash || o->bench)) {
+        why = "--hash and --bench go with --headless";
+    } else if (o->headless && o->shot == NULL && !o->hash && !o->bench && o->save == NULL) {
+        why = "--headless does nothing alone: add --shot FILE.png, --hash, --save or --bench";
+    } else if (o->headless && o->record != NULL) {
+        why = "--record is for the window";
     }
     if (why != NULL) {
         fprintf(stderr, "sculpt: %s.\n", why);
@@ -122,6 +140,10 @@ app_asked app_options_read(int argc, char **argv, app_options *options)
                                           {"shot", required_argument, NULL, 'o'},
                                           {"hash", no_argument, NULL, 'x'},
                                           {"bench", no_argument, NULL, 'b'},
+                                          {"input", required_argument, NULL, 'i'},
+                                          {"record", required_argument, NULL, 'R'},
+                                          {"session", required_argument, NULL, 'S'},
+                                          {"save", required_argument, NULL, 'w'},
                                           {"help", no_argument, NULL, 'h'},
                                           {"version", no_argument, NULL, 'V'},
                                           {NULL, 0, NULL, 0}};

@@ -7,12 +7,12 @@
 
 #include <epoxy/gl.h>
 #include <inttypes.h>
-#include <sf/io.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
-#include "app/open.h"
+#include "app/editor.h"
+#include "app/save.h"
 #include "gl/headless.h"
 #include "view/upload.h"
 #include "view/view.h"
@@ -26,53 +26,33 @@ static int complain(int status, const char *why)
     return status;
 }
 
-static sf_sculpt *open_model(const app_options *o, char why[APP_WHY_SIZE])
+// Do what was recorded.
+static int replay(editor *e, const char *path)
 {
-    if (o->scene != NULL) {
-        return app_open_scene(o->scene, o->resolution, why);
+    FILE *file = fopen(path, "r");
+    app_event event;
+    int more = file != NULL ? 1 : -1, line = 0;
+    while (more > 0) {
+        more = app_event_read(file, &event);
+        line++;
+        if (more > 0) {
+            editor_take(e, &event);
+        }
     }
-    return o->file != NULL ? app_open_mesh(o->file, o->resolution, why)
-                           : app_open_empty(o->resolution, why);
-}
-
-// The camera around what there is; around the bed where there is nothing.
-static view_camera frame(const app_options *o, const sf_sculpt *model)
-{
-    sf_lattice l = sf_sculpt_options_of(model).lattice;
-    sf_box b = sf_grid_bounds(sf_sculpt_drawn(model)), all = {0, 0, 0, l.nx, l.ny, l.nz / 2};
-    b = b.x1 > 0 ? b : all;
-    const double pitch[3] = {l.pitch_x_mm, l.pitch_y_mm, l.layer_mm};
-    const uint32_t from[3] = {b.x0, b.y0, b.z0}, to[3] = {b.x1, b.y1, b.z1};
-    double low[3], high[3];
-    for (int i = 0; i < 3; i++) {
-        low[i] = l.origin_mm[i] + from[i] * pitch[i];
-        high[i] = l.origin_mm[i] + to[i] * pitch[i];
+    if (file == NULL) {
+        fprintf(stderr, "sculpt: %s cannot be read.\n", path);
+    } else if (more < 0) {
+        fprintf(stderr, "sculpt: %s, line %d: that is no event.\n", path, line);
     }
-    return view_camera_fit(low, high, o->azimuth, o->elevation, (double)o->width / o->height);
+    if (file != NULL) {
+        fclose(file);
+    }
+    return more == 0;
 }
 
 // ---------------------------------------------------------------------------------------------
 // Pictures
 // ---------------------------------------------------------------------------------------------
-
-static int save(const char *path, const unsigned char *pixels, uint32_t width, uint32_t height)
-{
-    sf_save *file = NULL;
-    sf_fault fault = {SF_OK, 0, 0, ""};
-    sf_status status = sf_save_begin(path, NULL, &file, &fault);
-    if (status == SF_OK) {
-        status = sf_png_write_rgb(pixels, width, height, sf_save_sink(file));
-        if (status == SF_OK) {
-            status = sf_save_commit(file, &fault);
-        } else {
-            sf_save_abort(file);
-        }
-    }
-    return status == SF_OK
-               ? GOOD
-               : complain(NO_RESOURCE,
-                          fault.message[0] != '\0' ? fault.message : sf_status_message(status));
-}
 
 static int shoot(const app_options *o, view *v, const view_camera *camera,
                  const view_overlays *overlays)
@@ -82,7 +62,10 @@ static int shoot(const app_options *o, view *v, const view_camera *camera,
     if (pixels == NULL || !view_shot(v, camera, overlays, o->width, o->height, pixels)) {
         complain(NO_RESOURCE, "There is no memory for a picture of that size.");
     } else {
-        status = save(o->shot, pixels, o->width, o->height);
+        char why[APP_WHY_SIZE];
+        status = app_save_picture(pixels, o->width, o->height, o->shot, why)
+                     ? GOOD
+                     : complain(NO_RESOURCE, why);
     }
     free(pixels);
     return status;
@@ -136,50 +119,90 @@ static int bench(const app_options *o, view *v, const view_camera *camera,
 // The whole
 // ---------------------------------------------------------------------------------------------
 
-static int draw(const app_options *o, const sf_sculpt *model)
+static int draw(const app_options *o, const editor *e)
 {
     const char *why = NULL;
-    sf_sculpt_options made = sf_sculpt_options_of(model);
-    view_overlays overlays = view_overlays_default();
-    view_camera camera = frame(o, model);
+    sf_sculpt_options made = sf_sculpt_options_of(e->model);
+    view_overlays overlays = editor_overlays(e);
     view_upload *upload = view_upload_create(&made.lattice, &why);
     view *v = upload != NULL ? view_create(&why) : NULL;
     int status = NO_RESOURCE;
-    overlays.overhangs = o->overhangs;
-    overlays.is_cut = o->is_cut;
-    overlays.cut_axis = 2;
-    overlays.cut_mm = o->cut_mm;
-    if (v == NULL || !view_upload_copy(upload, sf_sculpt_drawn(model), sf_sculpt_printable(model),
-                                       sf_sculpt_materials(model), NULL)) {
+    if (v == NULL ||
+        !view_upload_copy(upload, sf_sculpt_drawn(e->model), sf_sculpt_printable(e->model),
+                          sf_sculpt_materials(e->model), NULL)) {
         complain(NO_RESOURCE, why != NULL ? why : "There is no memory.");
     } else {
         gpu_view buffers = view_upload_view(upload);
         view_look_at(v, &buffers, &made.lattice, made.bed_layer);
-        status = o->shot != NULL ? shoot(o, v, &camera, &overlays) : GOOD;
-        status = status == GOOD && o->bench ? bench(o, v, &camera, &overlays) : status;
+        status = o->shot != NULL ? shoot(o, v, &e->camera, &overlays) : GOOD;
+        status = status == GOOD && o->bench ? bench(o, v, &e->camera, &overlays) : status;
     }
     view_destroy(v);
     view_upload_destroy(upload);
     return status;
 }
 
-int app_run_headless(const app_options *options)
+// The editor as the command line asks for it.
+static editor *make_editor(const app_options *o, int *status)
+{
+    char why[APP_WHY_SIZE] = "";
+    sf_sculpt *model = app_open(o, why);
+    if (model == NULL) {
+        *status = complain(WRONG_INPUT, why);
+        return NULL;
+    }
+    editor *e = editor_create(model, o->width, o->height);
+    if (e == NULL) {
+        *status = complain(NO_RESOURCE, "There is no memory for the model.");
+        return NULL;
+    }
+    app_set_out(e, o);
+    if (o->input != NULL && !replay(e, o->input)) {
+        *status = WRONG_INPUT;
+        editor_destroy(e);
+        return NULL;
+    }
+    return e;
+}
+
+static int run(const app_options *o, editor *e)
 {
     char why[APP_WHY_SIZE] = "";
     const char *no_gl = NULL;
     int status = GOOD;
-    sf_sculpt *model = open_model(options, why);
-    if (model == NULL) {
-        return complain(WRONG_INPUT, why);
+    if (o->hash) {
+        printf("%016" PRIx64 "\n", app_hash(e->model));
     }
-    if (options->hash) {
-        printf("%016" PRIx64 "\n", app_hash(model));
+    if (o->save != NULL && !app_save_session(e->session, o->save, why)) {
+        return complain(NO_RESOURCE, why);
     }
-    if (options->shot != NULL || options->bench) {
+    if (o->shot != NULL || o->bench) {
         gl_headless *gl = gl_headless_create(&no_gl);
-        status = gl != NULL ? draw(options, model) : complain(NO_RESOURCE, no_gl);
+        status = gl != NULL ? draw(o, e) : complain(NO_RESOURCE, no_gl);
         gl_headless_destroy(gl);
     }
-    sf_sculpt_destroy(model);
     return status;
+}
+
+int app_run_headless(const app_options *options)
+{
+    int status = GOOD;
+    editor *e = make_editor(options, &status);
+    if (e != NULL) {
+        status = run(options, e);
+        editor_destroy(e);
+    }
+    return status;
+}
+
+void app_set_out(editor *e, const app_options *options)
+{
+    e->camera.azimuth = options->azimuth;
+    e->camera.elevation = options->elevation;
+    const app_event frame = {EVENT_DO, DO_FRAME, 0, 0, 0, 0, 0, 0};
+    editor_take(e, &frame);
+    e->overlays.overhangs = options->overhangs;
+    e->overlays.is_cut = options->is_cut;
+    e->overlays.cut_axis = 2;
+    e->overlays.cut_mm = options->is_cut ? options->cut_mm : e->overlays.cut_mm;
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// An editor: a model, the brush in hand, the camera, and what is shown. It knows no window.
+//
+// All that a person can do to it is an event (event.h), so what was done can be written down and
+// done again without a window, to the same bits.
+
+#ifndef SCULPT_APP_EDITOR_H
+#define SCULPT_APP_EDITOR_H
+
+#include <sf/session.h>
+
+#include "event.h"
+#include "open.h"
+#include "view/view.h"
+
+// What the pointer is doing.
+typedef enum editor_drag { DRAG_NONE, DRAG_STROKE, DRAG_ORBIT, DRAG_PAN, DRAG_ZOOM } editor_drag;
+
+// The brush in hand. Lengths in mm, so that they mean the same on any lattice.
+typedef struct editor_brush {
+    sf_brush_kind kind;
+    sf_tip_shape shape;
+    double radius_mm;
+    uint8_t material;
+    uint32_t passes;
+    int mirror_x, mirror_y;
+    int plane; // a sketch plane at right angles to: -1 none, 0 x, 1 y, 2 z
+} editor_brush;
+
+typedef struct editor {
+    sf_sculpt *model;
+    sf_session *session; // of all that was done
+    sf_grid *base;       // what was printable when the stroke began: where places are picked
+    sf_tip *tip;         // of the brush; NULL where it must be made anew
+    editor_brush brush;
+    sf_brush_kind kind_under_way; // a held key may make it another than the brush's
+    view_camera camera;
+    view_overlays overlays;
+    uint32_t width, height; // of the picture
+    double x, y;            // where the pointer is, pixels from the upper left
+    editor_drag drag;
+    int has_place; // whether the pointer is over a place
+    sf_dab place;  // which
+    double at_mm[3];
+    sf_dab last;  // dab of the stroke
+    sf_dab *dabs; // all of them
+    size_t dab_count, dab_capacity;
+    sf_box touched;          // by the stroke
+    sf_box changed;          // what has to be copied to the card; empty where nothing has
+    sf_sculpt_change change; // what the last call said
+    int is_recorded; // the session holds all that was done; 0 where it could not be written down
+    int wants_close;
+    char said[APP_WHY_SIZE]; // what a person should read; empty where nothing
+} editor;
+
+// An editor of a model, which it takes over. NULL where there is no memory: then it goes as well.
+editor *editor_create(sf_sculpt *model, uint32_t width, uint32_t height);
+void editor_destroy(editor *e);
+
+// Take an event.
+void editor_take(editor *e, const app_event *event);
+
+// Put another model in the place of this one; the view has to look at it anew.
+int editor_replace(editor *e, sf_sculpt *model);
+
+// What the brush would do now, with the keys that are held.
+sf_brush_kind editor_kind(const editor *e, unsigned mods);
+
+// What is drawn beside the shape, the cursor included.
+view_overlays editor_overlays(const editor *e);
+
+#endif

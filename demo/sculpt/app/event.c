@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Events as lines of text: a word, the code, the keys that are held, and numbers, which are written
+// so that they come back as they were.
+
+#include "event.h"
+
+#include <string.h>
+
+static const char *const words[EVENT_KIND_COUNT] = {"size", "move", "press", "release", "scroll",
+                                                    "key",  "set",  "do",    "fly"};
+
+void app_event_write(FILE *file, const app_event *event)
+{
+    fprintf(file, "%s %d %u %.17g %.17g %.17g %.17g %.17g\n", words[event->kind], event->code,
+            event->mods, event->x, event->y, event->z, event->a, event->b);
+}
+
+int app_event_read(FILE *file, app_event *event)
+{
+    char line[512], word[16];
+    app_event e = {EVENT_SIZE, 0, 0, 0, 0, 0, 0, 0};
+    if (fgets(line, sizeof line, file) == NULL) {
+        return 0;
+    }
+    if (sscanf(line, "%15s %d %u %lf %lf %lf %lf %lf", word, &e.code, &e.mods, &e.x, &e.y, &e.z,
+               &e.a, &e.b) != 8) {
+        return -1;
+    }
+    for (int k = 0; k < EVENT_KIND_COUNT; k++) {
+        if (strcmp(word, words[k]) == 0) {
+            e.kind = (app_event_kind)k;
+            *event = e;
+            return 1;
+        }
+    }
+    return -1;
+}
