@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An editor.
+// An editor: events in, strokes, steps and views out.
 //
 // The pointer finds its place on the shape as it was when the stroke began, so that a stroke does
 // not climb on itself; or on the sketch plane; or on the bed. From place to place the brush goes

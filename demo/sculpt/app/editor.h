@@ -63,9 +63,6 @@ void editor_take(editor *e, const app_event *event);
 // Put another model in the place of this one; the view has to look at it anew.
 int editor_replace(editor *e, sf_sculpt *model);
 
-// What the brush would do now, with the keys that are held.
-sf_brush_kind editor_kind(const editor *e, unsigned mods);
-
 // What is drawn beside the shape, the cursor included.
 view_overlays editor_overlays(const editor *e);
 

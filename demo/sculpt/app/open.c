@@ -34,7 +34,8 @@ static sf_sculpt *create(uint32_t resolution, double pitch_mm, char why[APP_WHY_
     return status == SF_OK ? model : fail(why, "", sf_status_message(status));
 }
 
-sf_sculpt *app_open_empty(uint32_t resolution, char why[APP_WHY_SIZE])
+// A cube of voxels of 0.25 mm.
+static sf_sculpt *open_empty(uint32_t resolution, char why[APP_WHY_SIZE])
 {
     return create(resolution, 0.25, why);
 }
@@ -103,7 +104,7 @@ static sf_sculpt *play(const char *name, uint32_t resolution, char why[APP_WHY_S
     return status == SF_OK ? model : fail(why, name, sf_status_message(status));
 }
 
-sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
+static sf_sculpt *open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
 {
     double size[3], longest;
     char copy[64];
@@ -212,10 +213,10 @@ sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE])
         return app_open_session(options->session, why);
     }
     if (options->scene != NULL) {
-        return app_open_scene(options->scene, options->resolution, why);
+        return open_scene(options->scene, options->resolution, why);
     }
     return options->file != NULL ? app_open_mesh(options->file, options->resolution, why)
-                                 : app_open_empty(options->resolution, why);
+                                 : open_empty(options->resolution, why);
 }
 
 // ---------------------------------------------------------------------------------------------

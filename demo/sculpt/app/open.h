@@ -10,12 +10,9 @@
 
 #define APP_WHY_SIZE 320
 
-// An empty model in a cube of `resolution` voxels of 0.25 mm. NULL where that fails; `why` gets a
-// sentence.
-sf_sculpt *app_open_empty(uint32_t resolution, char why[APP_WHY_SIZE]);
-
 // A mesh, in the middle of the bed, as large as it is; voxels are as large as it takes. What of it
-// does not print without supports is left out. The model is new; NULL as above.
+// does not print without supports is left out. The model is new; NULL where that fails, and `why`
+// gets a sentence.
 sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE]);
 
 // What a session gives, in its own space.
@@ -23,9 +20,6 @@ sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE]);
 
 // What the command line asks to begin with.
 sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE]);
-
-// A scene by its name.
-sf_sculpt *app_open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE]);
 
 // A number for a model: the same for the same bits and materials, and hardly for others.
 uint64_t app_hash(const sf_sculpt *model);

@@ -128,25 +128,26 @@ static app_asked check(const app_options *o)
     return why != NULL ? APP_WRONG : APP_GO;
 }
 
+static const struct option table[] = {{"scene", required_argument, NULL, 's'},
+                                      {"resolution", required_argument, NULL, 'r'},
+                                      {"size", required_argument, NULL, 'z'},
+                                      {"view", required_argument, NULL, 'v'},
+                                      {"cut", required_argument, NULL, 'c'},
+                                      {"overhangs", no_argument, NULL, 'g'},
+                                      {"headless", no_argument, NULL, 'H'},
+                                      {"shot", required_argument, NULL, 'o'},
+                                      {"hash", no_argument, NULL, 'x'},
+                                      {"bench", no_argument, NULL, 'b'},
+                                      {"input", required_argument, NULL, 'i'},
+                                      {"record", required_argument, NULL, 'R'},
+                                      {"session", required_argument, NULL, 'S'},
+                                      {"save", required_argument, NULL, 'w'},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {"version", no_argument, NULL, 'V'},
+                                      {NULL, 0, NULL, 0}};
+
 app_asked app_options_read(int argc, char **argv, app_options *options)
 {
-    static const struct option table[] = {{"scene", required_argument, NULL, 's'},
-                                          {"resolution", required_argument, NULL, 'r'},
-                                          {"size", required_argument, NULL, 'z'},
-                                          {"view", required_argument, NULL, 'v'},
-                                          {"cut", required_argument, NULL, 'c'},
-                                          {"overhangs", no_argument, NULL, 'g'},
-                                          {"headless", no_argument, NULL, 'H'},
-                                          {"shot", required_argument, NULL, 'o'},
-                                          {"hash", no_argument, NULL, 'x'},
-                                          {"bench", no_argument, NULL, 'b'},
-                                          {"input", required_argument, NULL, 'i'},
-                                          {"record", required_argument, NULL, 'R'},
-                                          {"session", required_argument, NULL, 'S'},
-                                          {"save", required_argument, NULL, 'w'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {"version", no_argument, NULL, 'V'},
-                                          {NULL, 0, NULL, 0}};
     app_options o = {.resolution = 256,
                      .width = 1280,
                      .height = 800,

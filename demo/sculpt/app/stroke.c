@@ -64,7 +64,7 @@ void editor_bound_brush(editor *e)
 }
 
 // Control takes away where the brush adds, and adds where it takes away; shift smooths.
-sf_brush_kind editor_kind(const editor *e, unsigned mods)
+static sf_brush_kind kind_of(const editor *e, unsigned mods)
 {
     static const sf_brush_kind others[SF_BRUSH_KIND_COUNT] = {
         [SF_BRUSH_ADD_TRIM] = SF_BRUSH_REMOVE_PRESERVE,
@@ -135,7 +135,7 @@ static void put(editor *e, const sf_dab *dabs, size_t count)
 
 void editor_stroke_begin(editor *e, unsigned mods)
 {
-    e->kind_under_way = editor_kind(e, mods);
+    e->kind_under_way = kind_of(e, mods);
     e->dab_count = 0;
     if (!make_tip(e)) {
         snprintf(e->said, sizeof e->said, "There is no memory for a brush of that size.");

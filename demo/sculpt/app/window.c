@@ -9,255 +9,23 @@
 
 #include <epoxy/gl.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "editor.h"
+#include "app.h"
 #include "save.h"
 #include "shot.h"
-#ifdef SCULPT_HAVE_PANEL
-#include "ui/panel.h"
-#endif
-#include "view/upload.h"
 
 enum { GOOD = 0, WRONG_INPUT = 3, NO_RESOURCE = 4 };
 
 #define RESCUE "sculpt-rescued.session"
-
-typedef struct app {
-    const app_options *options;
-    GLFWwindow *window;
-    editor *editor;
-    view *view;
-    view_upload *upload;
-    FILE *record, *play;
-    double frame_ms;
-    int is_stale; // something happened that may show
-#ifdef SCULPT_HAVE_PANEL
-    panel *panel;
-#endif
-} app;
 
 static int complain(int status, const char *why)
 {
     fprintf(stderr, "sculpt: %s\n", why);
     return status;
 }
-
-// ---------------------------------------------------------------------------------------------
-// Events
-// ---------------------------------------------------------------------------------------------
-
-static void take(void *user, const app_event *event)
-{
-    app *a = user;
-    if (a->record != NULL) {
-        app_event_write(a->record, event);
-    }
-    editor_take(a->editor, event);
-    a->is_stale = 1;
-}
-
-static unsigned mods_of(int mods)
-{
-    return ((mods & GLFW_MOD_SHIFT) != 0 ? (unsigned)MOD_SHIFT : 0) |
-           ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0 ? (unsigned)MOD_CONTROL : 0) |
-           ((mods & GLFW_MOD_ALT) != 0 ? (unsigned)MOD_ALT : 0);
-}
-
-static int has_pointer(const app *a)
-{
-#ifdef SCULPT_HAVE_PANEL
-    return !panel_has_pointer(a->panel);
-#else
-    (void)a;
-    return 1;
-#endif
-}
-
-static int has_keys(const app *a)
-{
-#ifdef SCULPT_HAVE_PANEL
-    return !panel_has_keys(a->panel);
-#else
-    (void)a;
-    return 1;
-#endif
-}
-
-// From the window's coordinates to pixels of the picture.
-static void to_pixels(GLFWwindow *window, double *x, double *y)
-{
-    int w, h, pw, ph;
-    glfwGetWindowSize(window, &w, &h);
-    glfwGetFramebufferSize(window, &pw, &ph);
-    *x *= w > 0 ? (double)pw / w : 1;
-    *y *= h > 0 ? (double)ph / h : 1;
-}
-
-static void on_move(GLFWwindow *window, double x, double y)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    app_event event = {EVENT_MOVE, 0, 0, x, y, 0, 0, 0};
-    to_pixels(window, &event.x, &event.y);
-    if (a->editor->drag != DRAG_NONE || has_pointer(a)) {
-        take(a, &event);
-    }
-    a->is_stale = 1;
-}
-
-static void on_button(GLFWwindow *window, int button, int action, int mods)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    int code = button == GLFW_MOUSE_BUTTON_LEFT    ? BUTTON_LEFT
-               : button == GLFW_MOUSE_BUTTON_RIGHT ? BUTTON_RIGHT
-                                                   : BUTTON_MIDDLE;
-    app_event event = {
-        action == GLFW_PRESS ? EVENT_PRESS : EVENT_RELEASE, code, mods_of(mods), 0, 0, 0, 0, 0};
-    glfwGetCursorPos(window, &event.x, &event.y);
-    to_pixels(window, &event.x, &event.y);
-    if (action == GLFW_RELEASE || has_pointer(a)) {
-        take(a, &event);
-    }
-    a->is_stale = 1;
-}
-
-static void on_scroll(GLFWwindow *window, double x, double y)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    app_event event = {EVENT_SCROLL, 0, 0, x, y, 0, 0, 0};
-    if (has_pointer(a)) {
-        take(a, &event);
-    }
-    a->is_stale = 1;
-}
-
-static void on_key(GLFWwindow *window, int key, int scancode, int action, int mods)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    app_event event = {EVENT_KEY, key == GLFW_KEY_ESCAPE ? 27 : key, mods_of(mods), 0, 0, 0, 0, 0};
-    (void)scancode;
-    if (action != GLFW_RELEASE && has_keys(a) && event.code < 128) {
-        take(a, &event);
-    }
-    a->is_stale = 1;
-}
-
-static void on_size(GLFWwindow *window, int width, int height)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    app_event event = {EVENT_SIZE, 0, 0, width, height, 0, 0, 0};
-    take(a, &event);
-}
-
-static void on_refresh(GLFWwindow *window)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    a->is_stale = 1;
-}
-
-// ---------------------------------------------------------------------------------------------
-// Files
-// ---------------------------------------------------------------------------------------------
-
-static int ends_with(const char *text, const char *end)
-{
-    size_t a = strlen(text), b = strlen(end);
-    return a >= b && strcmp(text + a - b, end) == 0;
-}
-
-// Buffers for another model's lattice.
-static int look_anew(app *a)
-{
-    const char *why = NULL;
-    sf_sculpt_options o = sf_sculpt_options_of(a->editor->model);
-    view_upload *upload = view_upload_create(&o.lattice, &why);
-    if (upload == NULL) {
-        snprintf(a->editor->said, sizeof a->editor->said, "%s", why);
-        return 0;
-    }
-    view_upload_destroy(a->upload);
-    a->upload = upload;
-    gpu_view buffers = view_upload_view(upload);
-    view_look_at(a->view, &buffers, &o.lattice, o.bed_layer);
-    return 1;
-}
-
-// What cannot be opened leaves everything as it is, and says why.
-static void open_file(app *a, const char *path)
-{
-    editor *e = a->editor;
-    if (e->drag == DRAG_STROKE) {
-        return;
-    }
-    sf_sculpt *model = ends_with(path, ".session")
-                           ? app_open_session(path, e->said)
-                           : app_open_mesh(path, a->options->resolution, e->said);
-    if (model == NULL) {
-        return;
-    }
-    if (!editor_replace(e, model)) {
-        sf_sculpt_destroy(model);
-        snprintf(e->said, sizeof e->said, "There is no memory for that model.");
-        return;
-    }
-    e->said[0] = '\0';
-    (void)look_anew(a);
-}
-
-static void on_drop(GLFWwindow *window, int count, const char **paths)
-{
-    app *a = glfwGetWindowUserPointer(window);
-    if (count > 0) {
-        open_file(a, paths[0]);
-    }
-    a->is_stale = 1;
-}
-
-#ifdef SCULPT_HAVE_PANEL
-static void save_picture(app *a, const char *path)
-{
-    editor *e = a->editor;
-    view_overlays overlays = editor_overlays(e);
-    unsigned char *pixels = malloc((size_t)e->width * e->height * 3 + 1);
-    overlays.has_cursor = overlays.has_plane = 0;
-    if (pixels == NULL || e->width == 0 || e->height == 0 ||
-        !view_shot(a->view, &e->camera, &overlays, e->width, e->height, pixels)) {
-        snprintf(e->said, sizeof e->said, "There is no memory for the picture.");
-    } else if (app_save_picture(pixels, e->width, e->height, path, e->said)) {
-        snprintf(e->said, sizeof e->said, "Written to %.200s.", path);
-    }
-    free(pixels);
-}
-
-static void grant(app *a, const panel_request *request)
-{
-    editor *e = a->editor;
-    int good = 0;
-    switch (request->wish) {
-    case WISH_OPEN:
-        open_file(a, request->path);
-        return;
-    case WISH_SESSION:
-        good = app_save_session(e->session, request->path, e->said);
-        break;
-    case WISH_SHAPE:
-        good = app_save_shape(e->model, request->path, e->said);
-        break;
-    case WISH_PICTURE:
-        save_picture(a, request->path);
-        return;
-    default:
-        return;
-    }
-    if (good) {
-        snprintf(e->said, sizeof e->said, "Written to %.200s.", request->path);
-    }
-}
-#endif
 
 // ---------------------------------------------------------------------------------------------
 // Frames
@@ -288,8 +56,8 @@ static void draw(app *a)
     }
 #ifdef SCULPT_HAVE_PANEL
     panel_request request = {WISH_NOTHING, ""};
-    panel_draw(a->panel, e, a->frame_ms, take, a, &request);
-    grant(a, &request);
+    panel_draw(a->panel, e, a->frame_ms, app_take, a, &request);
+    app_grant(a, &request);
 #endif
     glFinish();
     a->frame_ms = (glfwGetTime() - start) * 1e3;
@@ -326,7 +94,7 @@ static int play_on(app *a)
                           event.y > 1 ? (int)event.y : 1);
     }
     if (more > 0) {
-        take(a, &event);
+        app_take(a, &event);
     }
     return more > 0;
 }
@@ -376,7 +144,7 @@ static int stay(app *a)
         }
         if (glfwWindowShouldClose(a->window) || a->editor->wants_close) {
             app_event close = {EVENT_DO, DO_CLOSE, 0, 0, 0, 0, 0, 0};
-            take(a, &close);
+            app_take(a, &close);
             return GOOD;
         }
     }
@@ -396,18 +164,6 @@ static GLFWwindow *open_window(const app_options *o)
     return glfwCreateWindow((int)o->width, (int)o->height, "libsf sculpt", NULL, NULL);
 }
 
-static void listen(app *a)
-{
-    glfwSetWindowUserPointer(a->window, a);
-    glfwSetCursorPosCallback(a->window, on_move);
-    glfwSetMouseButtonCallback(a->window, on_button);
-    glfwSetScrollCallback(a->window, on_scroll);
-    glfwSetKeyCallback(a->window, on_key);
-    glfwSetFramebufferSizeCallback(a->window, on_size);
-    glfwSetWindowRefreshCallback(a->window, on_refresh);
-    glfwSetDropCallback(a->window, on_drop);
-}
-
 // All but the window; 0 where something cannot be had.
 static int prepare(app *a)
 {
@@ -418,11 +174,11 @@ static int prepare(app *a)
         complain(NO_RESOURCE, why);
         return 0;
     }
-    if (!look_anew(a)) {
+    if (!app_look_anew(a)) {
         complain(NO_RESOURCE, a->editor->said);
         return 0;
     }
-    listen(a);
+    app_listen(a);
 #ifdef SCULPT_HAVE_PANEL
     a->panel = panel_create(a->window, 1.0f);
     if (a->panel == NULL) {
@@ -431,7 +187,8 @@ static int prepare(app *a)
     }
 #endif
     glfwGetFramebufferSize(a->window, &width, &height);
-    on_size(a->window, width, height);
+    app_event size = {EVENT_SIZE, 0, 0, width, height, 0, 0, 0};
+    app_take(a, &size);
     app_set_out(a->editor, a->options);
     return 1;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The window, seen from inside: what its parts share.
+
+#ifndef SCULPT_APP_APP_H
+#define SCULPT_APP_APP_H
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <stdio.h>
+
+#include "editor.h"
+#include "options.h"
+#ifdef SCULPT_HAVE_PANEL
+#include "ui/panel.h"
+#endif
+#include "view/upload.h"
+
+typedef struct app {
+    const app_options *options;
+    GLFWwindow *window;
+    editor *editor;
+    view *view;
+    view_upload *upload;
+    FILE *record, *play;
+    double frame_ms;
+    int is_stale; // something happened that may show
+#ifdef SCULPT_HAVE_PANEL
+    panel *panel;
+#endif
+} app;
+
+// Take an event: into the record, then into the editor. `user` is the app.
+void app_take(void *user, const app_event *event);
+
+// Listen to the window.
+void app_listen(app *a);
+
+// Open a mesh or a session in the place of what is there. What cannot be opened leaves everything
+// as it is, and says why in editor.said.
+void app_open_file(app *a, const char *path);
+
+// Buffers for the editor's model; 0 where the card has no room, and then editor.said says so.
+int app_look_anew(app *a);
+
+#ifdef SCULPT_HAVE_PANEL
+// Do what the panel asks for with a file.
+void app_grant(app *a, const panel_request *request);
+#endif
+
+#endif

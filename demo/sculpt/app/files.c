@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Files of the window: what is opened in the place of what is there, and what is taken away.
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "save.h"
+
+static int ends_with(const char *text, const char *end)
+{
+    size_t a = strlen(text), b = strlen(end);
+    return a >= b && strcmp(text + a - b, end) == 0;
+}
+
+// Buffers for another model's lattice.
+int app_look_anew(app *a)
+{
+    const char *why = NULL;
+    sf_sculpt_options o = sf_sculpt_options_of(a->editor->model);
+    view_upload *upload = view_upload_create(&o.lattice, &why);
+    if (upload == NULL) {
+        snprintf(a->editor->said, sizeof a->editor->said, "%s", why);
+        return 0;
+    }
+    view_upload_destroy(a->upload);
+    a->upload = upload;
+    gpu_view buffers = view_upload_view(upload);
+    view_look_at(a->view, &buffers, &o.lattice, o.bed_layer);
+    return 1;
+}
+
+// What cannot be opened leaves everything as it is, and says why.
+void app_open_file(app *a, const char *path)
+{
+    editor *e = a->editor;
+    if (e->drag == DRAG_STROKE) {
+        return;
+    }
+    sf_sculpt *model = ends_with(path, ".session")
+                           ? app_open_session(path, e->said)
+                           : app_open_mesh(path, a->options->resolution, e->said);
+    if (model == NULL) {
+        return;
+    }
+    if (!editor_replace(e, model)) {
+        sf_sculpt_destroy(model);
+        snprintf(e->said, sizeof e->said, "There is no memory for that model.");
+        return;
+    }
+    e->said[0] = '\0';
+    (void)app_look_anew(a);
+}
+
+#ifdef SCULPT_HAVE_PANEL
+static void save_picture(app *a, const char *path)
+{
+    editor *e = a->editor;
+    view_overlays overlays = editor_overlays(e);
+    unsigned char *pixels = malloc((size_t)e->width * e->height * 3 + 1);
+    overlays.has_cursor = overlays.has_plane = 0;
+    if (pixels == NULL || e->width == 0 || e->height == 0 ||
+        !view_shot(a->view, &e->camera, &overlays, e->width, e->height, pixels)) {
+        snprintf(e->said, sizeof e->said, "There is no memory for the picture.");
+    } else if (app_save_picture(pixels, e->width, e->height, path, e->said)) {
+        snprintf(e->said, sizeof e->said, "Written to %.200s.", path);
+    }
+    free(pixels);
+}
+
+void app_grant(app *a, const panel_request *request)
+{
+    editor *e = a->editor;
+    int good = 0;
+    switch (request->wish) {
+    case WISH_OPEN:
+        app_open_file(a, request->path);
+        return;
+    case WISH_SESSION:
+        good = app_save_session(e->session, request->path, e->said);
+        break;
+    case WISH_SHAPE:
+        good = app_save_shape(e->model, request->path, e->said);
+        break;
+    case WISH_PICTURE:
+        save_picture(a, request->path);
+        return;
+    default:
+        return;
+    }
+    if (good) {
+        snprintf(e->said, sizeof e->said, "Written to %.200s.", request->path);
+    }
+}
+#endif

@@ -1,0 +1,130 @@
+#!/bin/sh
+# The sculpting program without a window, and, where there is an X server without a screen, with one:
+# what was recorded gives the same bits either way and once more from its session; a model is never
+# lost to a file that cannot be read, a window of one pixel or a close in the middle of a stroke.
+# shellcheck disable=SC1091
+. "${1%/*}/tap.sh"
+
+SF=$SCULPT
+
+# shellcheck disable=SC2154
+exits 0 --help
+grep -q 'sculpt --headless --scene shaun' stdout
+ok $? "help has examples"
+exits 0 --version
+for bad in '--nonsense' '--headless' '--resolution 12' '--size 12' '--scene shaun part.stl' '--hash' 'a.stl b.stl' '--headless --hash --view 3' '--headless --record x --hash'; do
+    # shellcheck disable=SC2086
+    exits 2 $bad
+    [ -s stderr ]
+    ok $? "and says why: $(head -1 stderr)"
+done
+
+# Hashes: the same for the same scene, another for another.
+exits 0 --headless --scene shaun --resolution 96 --hash
+shaun=$(cat stdout)
+exits 0 --headless --scene shaun --resolution 96 --hash
+same "$(cat stdout)" "$shaun" "a scene is the same every time"
+exits 0 --headless --scene pumpkin --resolution 96 --hash
+[ "$(cat stdout)" != "$shaun" ]
+ok $? "and another scene is another"
+exits 0 --headless --hash
+exits 3 --headless --scene timmy --hash
+grep -q 'shaun, pumpkin and intertwined' stderr
+ok $? "a scene that there is not is refused with those that there are: $(cat stderr)"
+exits 3 --headless nowhere.stl --hash
+echo 'solid broken' >broken.stl
+exits 3 --headless broken.stl --hash
+echo 'libsf-session 1 space' >broken.session
+exits 3 --headless --session broken.session --hash
+grep -q 'line 2' stderr
+ok $? "a session that is broken is refused by its line: $(cat stderr)"
+
+# What was recorded, without a window; its session gives the same model.
+cat >input <<'END'
+size 0 0 800 600 0 0 0
+set 2 0 5 0 0 0 0
+set 3 0 3 0 0 0 0
+key 51 0 0 0 0 0 0
+press 0 0 480 220 0 0 0
+move 0 0 500 240 0 0 0
+move 0 0 560 300 0 0 0
+release 0 0 560 300 0 0 0
+press 1 0 400 300 0 0 0
+move 0 0 460 310 0 0 0
+release 1 0 460 310 0 0 0
+scroll 0 0 0 2 0 0 0
+press 0 2 400 300 0 0 0
+move 0 0 410 320 0 0 0
+release 0 0 410 320 0 0 0
+press 0 1 420 260 0 0 0
+release 0 0 420 260 0 0 0
+do 0 0 0 0 0 0 0
+do 1 0 0 0 0 0 0
+key 90 2 0 0 0 0 0
+set 5 0 1 0 0 0 0
+press 0 0 380 250 0 0 0
+move 0 0 390 260 0 0 0
+do 4 0 0 0 0 0 0
+press 0 0 380 250 0 0 0
+release 0 0 380 250 0 0 0
+END
+exits 0 --headless --scene shaun --resolution 96 --input input --hash --save first.session --size 800x600
+hash=$(cat stdout)
+[ "$hash" != "$shaun" ]
+ok $? "input changes the model"
+exits 0 --headless --session first.session --hash
+same "$(cat stdout)" "$hash" "and its session gives the same"
+exits 3 --headless --input nowhere --hash
+echo 'dance 1 2' >nonsense
+exits 3 --headless --input nonsense --hash
+exits 4 --headless --save nowhere/there.session --hash
+
+# Pictures.
+if [ "${SF_NO_GL:-}" = 1 ]; then
+    echo "ok $((count += 1)) - pictures # SKIP SF_NO_GL=1"
+else
+    exits 0 --headless --scene shaun --resolution 96 --shot shot.png --size 320x200
+    [ "$(head -c 4 shot.png | tail -c 3)" = PNG ] && [ "$(wc -c <shot.png)" -gt 5000 ]
+    ok $? "a picture is drawn"
+    exits 0 --headless --scene shaun --resolution 96 --bench --size 160x100
+    grep -q 'a frame of 160x100: [0-9.]* ms' stdout
+    ok $? "and frames are timed: $(cat stdout)"
+    exits 4 --headless --scene shaun --resolution 96 --shot nowhere/shot.png --size 32x20
+fi
+
+# The window.
+if [ "${SF_NO_GL:-}" = 1 ] || [ -z "${SCULPT_WINDOW:-}" ] || ! command -v xvfb-run >/dev/null 2>&1; then
+    echo "ok $((count += 1)) - the window # SKIP there is no window in this build, no xvfb-run, or SF_NO_GL=1"
+else
+    # xvfb-run takes the server's words as one.
+    window() {
+        exit=0
+        timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" "$SF" "$@" >stdout 2>stderr </dev/null || exit=$?
+    }
+    window --scene shaun --resolution 96 --size 800x600 --input input --save second.session --shot window.png --record again
+    same "$exit" 0 "the window plays what was recorded: $(cat stderr)"
+    cmp -s first.session second.session
+    ok $? "to the same session"
+    [ "$(wc -c <window.png)" -gt 20000 ]
+    ok $? "and shows it, with its panel"
+    cp input tiny
+    cat >>tiny <<'END'
+size 0 0 1 1 0 0 0
+move 0 0 0 0 0 0 0
+size 0 0 640 480 0 0 0
+move 0 0 300 200 0 0 0
+press 0 0 300 200 0 0 0
+move 0 0 320 220 0 0 0
+do 5 0 0 0 0 0 0
+END
+    window --scene shaun --resolution 96 --size 800x600 --input tiny --save third.session
+    same "$exit" 0 "a window of one pixel, and a close in the middle of a stroke: $(cat stderr)"
+    cmp -s first.session third.session
+    ok $? "lose nothing, and leave no half of a stroke"
+    exit=0
+    timeout 60 env -u DISPLAY -u WAYLAND_DISPLAY "$SF" --scene shaun --resolution 96 >stdout 2>stderr </dev/null || exit=$?
+    same "$exit" 4 "without a display it ends"
+    grep -q -- '--headless' stderr
+    ok $? "and says what works: $(cat stderr)"
+fi
+finish
