@@ -38,3 +38,12 @@ END
 ../../dev sf grade "$here/cage.vtk" --paint "$here/recipe.json" --materials "$here/materials.json" \
     --resolution 170 -o "$here/graded" --picture "$here/graded.png" >/dev/null
 mv "$here/graded.png" .
+# And those of docs/sculpt.md: scenes, and the window on a screen that nobody sees.
+for scene in shaun pumpkin intertwined; do
+    size=720x540 view=-75,12
+    [ $scene != shaun ] || view=-48,14
+    [ $scene != intertwined ] || size=540x720
+    ../../dev demo --headless --scene $scene --resolution 512 --size $size --view $view --shot $scene.png
+done
+xvfb-run -a -s "-screen 0 1280x800x24" ../../dev demo --scene shaun --resolution 256 --input window.input \
+    --size 1120x700 --shot sculpt.png

@@ -79,6 +79,12 @@ echo 'dance 1 2' >nonsense
 exits 3 --headless --input nonsense --hash
 exits 4 --headless --save nowhere/there.session --hash
 
+# The session that docs/sculpt.md shows.
+sed -n '/^```session/,/^```/p' "$DOCS/sculpt.md" | grep -v '^```' >shown.session
+exits 0 --headless --session shown.session --hash
+[ "$(cat stdout)" != "$shaun" ] && [ -s shown.session ]
+ok $? "the session of the documents is played"
+
 # Pictures.
 if [ "${SF_NO_GL:-}" = 1 ]; then
     echo "ok $((count += 1)) - pictures # SKIP SF_NO_GL=1"
