@@ -46,4 +46,4 @@ for scene in shaun pumpkin intertwined; do
     ../../dev demo --headless --scene $scene --resolution 512 --size $size --view $view --shot $scene.png
 done
 xvfb-run -a -s "-screen 0 1280x800x24" ../../dev demo --scene shaun --resolution 256 --input window.input \
-    --size 1120x700 --shot sculpt.png
+    --size 840x620 --shot sculpt.png
