@@ -302,6 +302,15 @@ static void clear(editor *e)
     sf_grid_destroy(nothing);
 }
 
+static void drop_ghosts(editor *e)
+{
+    sf_sculpt_change c;
+    if (e->drag != DRAG_STROKE && sf_sculpt_drop_ghosts(e->model, &c) == SF_OK) {
+        editor_note(e, &c);
+        editor_record_step(e, SF_SESSION_DROP_GHOSTS);
+    }
+}
+
 static void act(editor *e, int action)
 {
     switch (action) {
@@ -316,6 +325,9 @@ static void act(editor *e, int action)
         break;
     case DO_CLEAR:
         clear(e);
+        break;
+    case DO_DROP_GHOSTS:
+        drop_ghosts(e);
         break;
     case DO_GIVE_UP:
         editor_stroke_give_up(e);

@@ -53,6 +53,7 @@ typedef enum app_action {
     DO_CLEAR,   // an empty bed
     DO_GIVE_UP, // the stroke that is under way
     DO_CLOSE,
+    DO_DROP_GHOSTS,
     ACTION_COUNT
 } app_action;
 

@@ -37,9 +37,8 @@ void app_open_file(app *a, const char *path)
     if (e->drag == DRAG_STROKE) {
         return;
     }
-    sf_sculpt *model = ends_with(path, ".session")
-                           ? app_open_session(path, e->said)
-                           : app_open_mesh(path, a->options->resolution, e->said);
+    sf_sculpt *model = ends_with(path, ".session") ? app_open_session(path, e->said)
+                                                   : app_open_mesh(path, a->options, e->said);
     if (model == NULL) {
         return;
     }

@@ -20,8 +20,9 @@ static void *fail(char why[APP_WHY_SIZE], const char *what, const char *reason)
     return NULL;
 }
 
-static sf_sculpt *create(uint32_t resolution, double pitch_mm, char why[APP_WHY_SIZE])
+static sf_sculpt *create(const app_options *o, double pitch_mm, char why[APP_WHY_SIZE])
 {
+    uint32_t resolution = o->resolution;
     sf_sculpt *model = NULL;
     sf_sculpt_options options = sf_sculpt_options_default();
     sf_lattice lattice = {
@@ -30,14 +31,15 @@ static sf_sculpt *create(uint32_t resolution, double pitch_mm, char why[APP_WHY_
         pitch_mm,   pitch_mm,
         NULL,       {-0.5 * resolution * pitch_mm, -0.5 * resolution * pitch_mm, 0}};
     options.lattice = lattice;
+    options.keep_drawn = o->keep_drawn;
     sf_status status = sf_sculpt_create(&options, NULL, &model);
     return status == SF_OK ? model : fail(why, "", sf_status_message(status));
 }
 
 // A cube of voxels of 0.25 mm.
-static sf_sculpt *open_empty(uint32_t resolution, char why[APP_WHY_SIZE])
+static sf_sculpt *open_empty(const app_options *o, char why[APP_WHY_SIZE])
 {
-    return create(resolution, 0.25, why);
+    return create(o, 0.25, why);
 }
 
 // A model of a shape that `draw` makes; the model goes where it fails.
@@ -91,26 +93,40 @@ static sf_status draw_scene(void *user, sf_grid *grid)
     return status;
 }
 
-// A scene that brushes made.
-static sf_sculpt *play(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
+// A scene that brushes made. Its sessions keep no ghosts; a model that shall is another, with the
+// same shape.
+static sf_sculpt *play(const app_options *o, char why[APP_WHY_SIZE])
 {
     sf_session *session = NULL;
-    sf_sculpt *model = NULL;
-    sf_status status = sculpted_session(name, resolution, NULL, &session);
+    sf_sculpt *model = NULL, *kept;
+    sf_status status = sculpted_session(o->scene, o->resolution, NULL, &session);
     if (status == SF_OK) {
         status = sf_session_replay(session, NULL, NULL, &model);
     }
     sf_session_destroy(session);
-    return status == SF_OK ? model : fail(why, name, sf_status_message(status));
+    if (status != SF_OK || !o->keep_drawn) {
+        return status == SF_OK ? model : fail(why, o->scene, sf_status_message(status));
+    }
+    kept = create(o, sf_sculpt_options_of(model).lattice.pitch_x_mm, why);
+    if (kept != NULL) {
+        status = sf_sculpt_replace(kept, sf_sculpt_drawn(model), sf_sculpt_materials(model), NULL);
+    }
+    sf_sculpt_destroy(model);
+    if (kept != NULL && status != SF_OK) {
+        sf_sculpt_destroy(kept);
+        return fail(why, o->scene, sf_status_message(status));
+    }
+    return kept;
 }
 
-static sf_sculpt *open_scene(const char *name, uint32_t resolution, char why[APP_WHY_SIZE])
+static sf_sculpt *open_scene(const app_options *o, char why[APP_WHY_SIZE])
 {
+    const char *name = o->scene;
     double size[3], longest;
     char copy[64];
     for (size_t i = 0; sculpted_names[i] != NULL; i++) {
         if (strcmp(sculpted_names[i], name) == 0) {
-            return play(name, resolution, why);
+            return play(o, why);
         }
     }
     if (!scene_size(name, size)) {
@@ -120,8 +136,7 @@ static sf_sculpt *open_scene(const char *name, uint32_t resolution, char why[APP
     longest = size[0] > size[1] ? size[0] : size[1];
     longest = size[2] > longest ? size[2] : longest;
     snprintf(copy, sizeof copy, "%s", name);
-    return fill(create(resolution, longest / (SHARE * resolution), why), name, draw_scene, copy,
-                why);
+    return fill(create(o, longest / (SHARE * o->resolution), why), name, draw_scene, copy, why);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -151,7 +166,7 @@ static sf_status draw_mesh(void *user, sf_grid *grid)
     return sf_grid_voxelize(grid, sf_mesh_get_view(mesh), NULL, NULL, NULL, NULL);
 }
 
-sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE])
+sf_sculpt *app_open_mesh(const char *path, const app_options *o, char why[APP_WHY_SIZE])
 {
     double low[3], high[3], longest = 0;
     sf_mesh *mesh = read_mesh(path, why);
@@ -171,8 +186,7 @@ sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY
     if (status != SF_OK || !(longest > 0)) {
         fail(why, path, "the mesh has no size");
     } else {
-        model = fill(create(resolution, longest / (SHARE * resolution), why), path, draw_mesh, mesh,
-                     why);
+        model = fill(create(o, longest / (SHARE * o->resolution), why), path, draw_mesh, mesh, why);
     }
     sf_mesh_destroy(mesh);
     return model;
@@ -213,10 +227,10 @@ sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE])
         return app_open_session(options->session, why);
     }
     if (options->scene != NULL) {
-        return open_scene(options->scene, options->resolution, why);
+        return open_scene(options, why);
     }
-    return options->file != NULL ? app_open_mesh(options->file, options->resolution, why)
-                                 : open_empty(options->resolution, why);
+    return options->file != NULL ? app_open_mesh(options->file, options, why)
+                                 : open_empty(options, why);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@
 // A mesh, in the middle of the bed, as large as it is; voxels are as large as it takes. What of it
 // does not print without supports is left out. The model is new; NULL where that fails, and `why`
 // gets a sentence.
-sf_sculpt *app_open_mesh(const char *path, uint32_t resolution, char why[APP_WHY_SIZE]);
+sf_sculpt *app_open_mesh(const char *path, const app_options *options, char why[APP_WHY_SIZE]);
 
 // What a session gives, in its own space.
 sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE]);

@@ -22,7 +22,7 @@ static const char help[] =
     "without supports after every stroke.\n"
     "\n"
     "  --scene NAME       begin with a scene: garden, shaun, pumpkin, intertwined\n"
-    "  --session FILE     begin with what a session gives\n"
+    "  --session FILE     begin with what a session gives (or --replay FILE)\n"
     "  --input FILE       do what was recorded: pointer, keys and settings\n"
     "  --record FILE      record that, from the window\n"
     "  --save FILE        write the session at the end\n"
@@ -30,6 +30,7 @@ static const char help[] =
     "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
     "  --view AZ,EL       degrees around and above (default -60,25)\n"
     "  --cut MM           show only what lies below that height\n"
+    "  --ghosts           keep what is trimmed as a ghost, which comes back where support appears\n"
     "  --overhangs        show what leans on its neighbours\n"
     "  --headless         no window; with --shot, --hash or --bench\n"
     "  --shot FILE.png    write a picture; of the window, panel and all, which then closes\n"
@@ -134,6 +135,8 @@ static const struct option table[] = {{"scene", required_argument, NULL, 's'},
                                       {"view", required_argument, NULL, 'v'},
                                       {"cut", required_argument, NULL, 'c'},
                                       {"overhangs", no_argument, NULL, 'g'},
+                                      {"ghosts", no_argument, NULL, 'k'},
+                                      {"replay", required_argument, NULL, 'S'},
                                       {"headless", no_argument, NULL, 'H'},
                                       {"shot", required_argument, NULL, 'o'},
                                       {"hash", no_argument, NULL, 'x'},
@@ -166,6 +169,9 @@ app_asked app_options_read(int argc, char **argv, app_options *options)
             break;
         case 'H':
             o.headless = 1;
+            break;
+        case 'k':
+            o.keep_drawn = 1;
             break;
         case 'x':
             o.hash = 1;

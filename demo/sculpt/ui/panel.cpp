@@ -162,6 +162,9 @@ void show_history(const outlet &out, const editor *e)
     if (ImGui::Button("clear")) {
         out.act(DO_CLEAR);
     }
+    if (sf_sculpt_options_of(e->model).keep_drawn != 0 && ImGui::Button("let the ghosts go")) {
+        out.act(DO_DROP_GHOSTS);
+    }
     ImGui::TextDisabled("%zu steps, %.1f MB", h.undo_count, static_cast<double>(h.size) / 1e6);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // After every stroke of a long session (TRUST 33-63): the printable shape is support-free, judged
 // by the checker; it is the trim of what is drawn, made anew; undo gives the exact bits back and
-// redo the next ones. 12,500 strokes at 64^3, in sessions that end when the grid is full, and
+// redo the next ones. 14,000 strokes at 64^3, in sessions that end when the grid is full, and
 // counts that show that the strokes were not idle. A longer run at 512^3:
 //
 //     build/tests/unit/sculpt/unit-sculpt-many 512 200
@@ -12,7 +12,7 @@
 #include "test.h"
 
 static uint32_t side = 64;
-static int stroke_count = 12500;
+static int stroke_count = 14000;
 
 // What strokes of one kind did.
 typedef struct tally {
