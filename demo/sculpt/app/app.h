@@ -10,6 +10,7 @@
 
 #include "editor.h"
 #include "options.h"
+#include "rough.h"
 #ifdef SCULPT_HAVE_PANEL
 #include "ui/panel.h"
 #endif
@@ -24,6 +25,8 @@ typedef struct app {
     FILE *record, *play;
     double frame_ms;
     int is_stale; // something happened that may show
+    int is_rough; // and the last frame was a rough one
+    rough rough;
 #ifdef SCULPT_HAVE_PANEL
     panel *panel;
 #endif

@@ -45,13 +45,29 @@ static void send_changes(app *a)
     }
 }
 
-static void draw(app *a)
+// The shape; roughly where a whole frame does not keep up and that will do.
+static int draw_shape(app *a, int may_be_rough)
+{
+    editor *e = a->editor;
+    view_overlays overlays = editor_overlays(e);
+    double start = glfwGetTime();
+    uint32_t part = may_be_rough ? rough_part(&a->rough) : 1;
+    a->is_rough = part > 1;
+    if (part > 1) {
+        return rough_draw(&a->rough, a->view, &e->camera, &overlays, e->width, e->height, part);
+    }
+    int good = view_draw(a->view, &e->camera, &overlays, 0, e->width, e->height);
+    glFinish();
+    a->rough.whole_ms = (glfwGetTime() - start) * 1e3;
+    return good;
+}
+
+static void draw(app *a, int may_be_rough)
 {
     editor *e = a->editor;
     double start = glfwGetTime();
-    view_overlays overlays = editor_overlays(e);
     send_changes(a);
-    if (!view_draw(a->view, &e->camera, &overlays, 0, e->width, e->height)) {
+    if (!draw_shape(a, may_be_rough)) {
         snprintf(e->said, sizeof e->said, "There is no memory for a picture of that size.");
     }
 #ifdef SCULPT_HAVE_PANEL
@@ -109,7 +125,7 @@ static int shoot(app *a)
     if (pixels == NULL) {
         return complain(NO_RESOURCE, "There is no memory for the picture.");
     }
-    draw(a);
+    draw(a, 0);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadBuffer(GL_BACK);
@@ -133,9 +149,15 @@ static int stay(app *a)
         if (plays || a->is_stale || frames_after > 0) {
             frames_after = a->is_stale ? 2 : frames_after > 0 ? frames_after - 1 : 0;
             a->is_stale = 0;
-            draw(a);
+            draw(a, 1);
             glfwSwapBuffers(a->window);
             glfwPollEvents();
+        } else if (a->is_rough) { // a whole one once nothing moves any more
+            glfwWaitEventsTimeout(0.15);
+            if (!a->is_stale) {
+                draw(a, 0);
+                glfwSwapBuffers(a->window);
+            }
         } else {
             glfwWaitEvents();
         }
@@ -195,6 +217,7 @@ static int prepare(app *a)
 
 static void release(app *a)
 {
+    rough_release(&a->rough);
 #ifdef SCULPT_HAVE_PANEL
     panel_destroy(a->panel);
 #endif

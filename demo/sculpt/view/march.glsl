@@ -42,11 +42,6 @@ bool is_there(ivec3 v)
     return all(greaterThanEqual(v, low)) && all(lessThan(v, high));
 }
 
-bool is_printable(ivec3 v)
-{
-    return is_there(v) && bit_of(printable[place_of(v)], v.x);
-}
-
 uint material_of(ivec3 v)
 {
     uint at = place_of(v) * 32u + (uint(v.x) & 31u);
