@@ -14,6 +14,9 @@
 #ifdef SCULPT_HAVE_PANEL
 #include "ui/panel.h"
 #endif
+#ifdef SCULPT_HAVE_SPACE
+#include "space/space.h"
+#endif
 #include "view/upload.h"
 
 typedef struct app {
@@ -29,6 +32,10 @@ typedef struct app {
     rough rough;
 #ifdef SCULPT_HAVE_PANEL
     panel *panel;
+#endif
+#ifdef SCULPT_HAVE_SPACE
+    space *space;
+    const char *space_trouble; // what was said of it last
 #endif
 } app;
 

@@ -14,6 +14,9 @@
 #include <string.h>
 
 #include "app.h"
+#ifdef SCULPT_HAVE_SPACE
+#include "fly.h"
+#endif
 #include "save.h"
 #include "shot.h"
 
@@ -138,6 +141,42 @@ static int shoot(app *a)
     return good ? GOOD : complain(NO_RESOURCE, why);
 }
 
+// Hear the SpaceMice. They speak to all programs, so what they say is ours only while the window is
+// the one that is worked in.
+static void hear_space(app *a)
+{
+#ifdef SCULPT_HAVE_SPACE
+    const editor *e = a->editor;
+    app_event events[FLY_EVENTS_MOST];
+    space_motion motion;
+    if (space_poll(a->space, glfwGetTime(), &motion) &&
+        glfwGetWindowAttrib(a->window, GLFW_FOCUSED)) {
+        int count = app_fly(&motion, e->height > 0 ? (double)e->width / e->height : 1, events);
+        for (int i = 0; i < count; i++) {
+            app_take(a, &events[i]);
+        }
+    }
+    const char *trouble = space_trouble(a->space);
+    if (trouble != NULL && a->space_trouble == NULL) {
+        snprintf(a->editor->said, sizeof a->editor->said, "%s", trouble);
+        a->is_stale = 1;
+    }
+    a->space_trouble = trouble;
+#else
+    (void)a;
+#endif
+}
+
+static void wait_for_events(const app *a)
+{
+#ifdef SCULPT_HAVE_SPACE
+    glfwWaitEventsTimeout(space_patience(a->space));
+#else
+    (void)a;
+    glfwWaitEvents();
+#endif
+}
+
 static int stay(app *a)
 {
     int frames_after = 2; // the panel answers what happened with another frame
@@ -159,7 +198,10 @@ static int stay(app *a)
                 glfwSwapBuffers(a->window);
             }
         } else {
-            glfwWaitEvents();
+            wait_for_events(a);
+        }
+        if (!plays) {
+            hear_space(a);
         }
         if (is_lost()) {
             return rescue(a);
@@ -201,6 +243,13 @@ static int prepare(app *a)
         return 0;
     }
     app_listen(a);
+#ifdef SCULPT_HAVE_SPACE
+    a->space = space_create();
+    if (a->space == NULL) {
+        complain(NO_RESOURCE, "There is no memory for SpaceMice.");
+        return 0;
+    }
+#endif
 #ifdef SCULPT_HAVE_PANEL
     a->panel = panel_create(a->window, 1.0f);
     if (a->panel == NULL) {
@@ -220,6 +269,9 @@ static void release(app *a)
     rough_release(&a->rough);
 #ifdef SCULPT_HAVE_PANEL
     panel_destroy(a->panel);
+#endif
+#ifdef SCULPT_HAVE_SPACE
+    space_destroy(a->space);
 #endif
     view_destroy(a->view);
     view_upload_destroy(a->upload);
