@@ -127,6 +127,17 @@ END
     same "$exit" 0 "a window of one pixel, and a close in the middle of a stroke: $(cat stderr)"
     cmp -s first.session third.session
     ok $? "lose nothing, and leave no half of a stroke"
+    if [ -n "${SCULPT_FLOWN:-}" ]; then
+        exit=0
+        timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" "$SCULPT_FLOWN" --scene shaun --resolution 96 \
+            --size 640x480 --record flown --shot flown.png >stdout 2>stderr </dev/null || exit=$?
+        same "$exit" 0 "a SpaceMouse that is turned and falls silent lets the window go on: $(cat stderr)"
+        awk '$1 == "fly" { n++; if ($4 != 0 || $5 != 0 || $6 != 0 || !($7 > 0) || $8 != 0) bad = 1 }
+            END { exit bad || n == 0 }' flown
+        ok $? "and turns the camera, in the record too: $(grep -c '^fly' flown) times"
+        exits 0 --headless --scene shaun --resolution 96 --input flown --hash
+        same "$(cat stdout)" "$shaun" "which is played without a window, and no stroke"
+    fi
     exit=0
     timeout 60 env -u DISPLAY -u WAYLAND_DISPLAY "$SF" --scene shaun --resolution 96 >stdout 2>stderr </dev/null || exit=$?
     same "$exit" 4 "without a display it ends"
