@@ -223,6 +223,9 @@ void show_help()
         {"right, alt + left", "turn"},
         {"middle, shift + right", "move"},
         {"wheel", "nearer, farther"},
+#ifdef SCULPT_HAVE_SPACE
+        {"SpaceMouse", "the shape in the hand; undo, fit"},
+#endif
         {"[  ]", "smaller, larger brush"},
         {"1 to 6", "kind of brush"},
         {"X  Y", "mirrors"},
