@@ -177,6 +177,20 @@ static void wait_for_events(const app *a)
 #endif
 }
 
+// Wait until nothing has moved for some seconds, or something has.
+static void wait_for_quiet(app *a, double seconds)
+{
+    double end = glfwGetTime() + seconds;
+    for (double left = seconds; left > 0 && !a->is_stale; left = end - glfwGetTime()) {
+#ifdef SCULPT_HAVE_SPACE
+        double step = space_patience(a->space);
+        left = left < step ? left : step;
+#endif
+        glfwWaitEventsTimeout(left);
+        hear_space(a);
+    }
+}
+
 static int stay(app *a)
 {
     int frames_after = 2; // the panel answers what happened with another frame
@@ -192,7 +206,7 @@ static int stay(app *a)
             glfwSwapBuffers(a->window);
             glfwPollEvents();
         } else if (a->is_rough) { // a whole one once nothing moves any more
-            glfwWaitEventsTimeout(0.15);
+            wait_for_quiet(a, 0.15);
             if (!a->is_stale) {
                 draw(a, 0);
                 glfwSwapBuffers(a->window);
