@@ -1,7 +1,7 @@
 # Why: a test that no change of a shader turns red holds nothing. This program changes the shaders of
 # the brushes line by line, one line at a time and each line of code once, builds the tests of suite
-# gl, runs them until one is red, and writes what it found. It takes the better part of an hour, so
-# it is no test itself; mutants.md is what it wrote last.
+# gl, runs them until one is red, and writes what it found. It takes an hour, so it is no
+# test itself; mutants.md is what it found, sorted by hand.
 #
 # usage: mutate.py SOURCE BUILD > mutants.md
 # SOURCE is a copy of the project to work in, which is changed and put back; BUILD its build.
@@ -48,7 +48,7 @@ def mutants(line):
         return []
     if re.match(r"\w+ \w+\([^;]*$", text) and not re.match(r"(return|else)\b", text):
         return []  # the head of a function
-    if text.startswith("for"):  # one round less; other changes would never end
+    if text.startswith("for ("):  # one round less; other changes would never end
         less = re.sub(r"(\w+) (<=?) ", r"\1 + 1u \2 ", code, 1)
         less = less if less != code else re.sub(r" > ([^;]+);", r" > \1 + 1u;", code, 1)
         return [less if less != code else code.replace("!= 0u", "> 1u")]
