@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a graded solid looks like.
 //
-// Above the surface from the front, shaded by how it bends, and the cut through the middle; both in
-// the colours of the property. Below three layers, a quarter, half and three quarters of the way
-// up, in the colours of the materials, each voxel as large as whole pixels allow, so that no
-// pattern appears that is not there.
+// Above the surface from one side, shaded by how it bends, and a cut across that view; both in the
+// colours of the property, with rulers in mm. Below three layers, a quarter, half and three
+// quarters of the way up, in the colours of the materials, each voxel as large as whole pixels
+// allow, so that no pattern appears that is not there.
 
 #include "grade_picture.h"
+
+#include "ruler.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,71 +16,6 @@
 #include <string.h>
 
 static const colour ink = {40, 40, 40};
-
-double grade_picture_bytes(const sf_lattice *lattice)
-{
-    const sf_lattice *l = lattice;
-    return (double)l->nx * l->nz * (3 * sizeof(double) + 1) +
-           (double)GRADE_PICTURE_LAYERS * l->nx * l->ny;
-}
-
-int grade_picture_begin(const sf_lattice *lattice, grade_picture *p)
-{
-    size_t view = (size_t)lattice->nx * lattice->nz, plane = (size_t)lattice->nx * lattice->ny;
-    memset(p, 0, sizeof *p);
-    p->lattice = *lattice;
-    p->front = calloc(view, sizeof *p->front);
-    p->depth = calloc(view, sizeof *p->depth);
-    p->cut = calloc(view, sizeof *p->cut);
-    p->has_cut = calloc(view, 1);
-    int good = p->front != NULL && p->depth != NULL && p->cut != NULL && p->has_cut != NULL;
-    for (uint32_t i = 0; i < GRADE_PICTURE_LAYERS; i++) {
-        p->which[i] = lattice->nz * (i + 1) / (GRADE_PICTURE_LAYERS + 1);
-        p->layers[i] = calloc(plane, 1);
-        good = good && p->layers[i] != NULL;
-    }
-    return good;
-}
-
-void grade_picture_end(grade_picture *p)
-{
-    free(p->front);
-    free(p->depth);
-    free(p->cut);
-    free(p->has_cut);
-    for (int i = 0; i < GRADE_PICTURE_LAYERS; i++) {
-        free(p->layers[i]);
-    }
-    memset(p, 0, sizeof *p);
-}
-
-static int is_solid(sf_slice s, uint32_t x, uint32_t y)
-{
-    return (int)(s.words[(size_t)y * s.stride + x / 64] >> x % 64 & 1);
-}
-
-void grade_picture_look(grade_picture *p, uint32_t k, sf_slice solid, const double *values,
-                        const uint8_t *ids)
-{
-    uint32_t middle = solid.height / 2;
-    for (uint32_t x = 0; x < solid.width; x++) {
-        size_t at = (size_t)k * solid.width + x;
-        p->depth[at] = -1;
-        for (uint32_t y = 0; y < solid.height && p->depth[at] < 0; y++) {
-            if (is_solid(solid, x, y)) {
-                p->depth[at] = y * p->lattice.pitch_y_mm;
-                p->front[at] = values[(size_t)y * solid.width + x];
-            }
-        }
-        p->has_cut[at] = (uint8_t)is_solid(solid, x, middle);
-        p->cut[at] = values[(size_t)middle * solid.width + x];
-    }
-    for (int i = 0; i < GRADE_PICTURE_LAYERS; i++) {
-        if (p->which[i] == k) {
-            memcpy(p->layers[i], ids, (size_t)solid.width * solid.height);
-        }
-    }
-}
 
 // ---------------------------------------------------------------------------------------------
 // Colours
@@ -125,7 +62,7 @@ typedef struct range {
 static range find_range(const grade_picture *p)
 {
     range r = {INFINITY, -INFINITY};
-    for (size_t i = 0; i < (size_t)p->lattice.nx * p->lattice.nz; i++) {
+    for (size_t i = 0; i < (size_t)p->across * p->up; i++) {
         if (p->depth[i] >= 0) {
             r.low = fmin(r.low, p->front[i]);
             r.high = fmax(r.high, p->front[i]);
@@ -145,20 +82,19 @@ static double place_in(range r, double value)
 
 // The slopes of the surface at a place, in mm per mm: of the plane that fits the depths around it
 // best. Voxels make steps, and over a few of them these even out.
-static void find_slopes(const grade_picture *p, uint32_t x, uint32_t k, double *dx, double *dz)
+static void find_slopes(const grade_picture *p, uint32_t x, uint32_t z, double *dx, double *dz)
 {
     enum { REACH = 5 };
-    const sf_lattice *l = &p->lattice;
-    double here = p->depth[(size_t)k * l->nx + x], sx = 0, sz = 0, xx = 0, zz = 0;
+    double here = p->depth[(size_t)z * p->across + x], sx = 0, sz = 0, xx = 0, zz = 0;
     for (int j = -REACH; j <= REACH; j++) {
         for (int i = -REACH; i <= REACH; i++) {
-            int64_t u = (int64_t)x + i, v = (int64_t)k + j;
-            if (u < 0 || v < 0 || u >= l->nx || v >= l->nz ||
-                p->depth[(size_t)v * l->nx + (size_t)u] < 0) {
+            int64_t u = (int64_t)x + i, v = (int64_t)z + j;
+            if (u < 0 || v < 0 || u >= p->across || v >= p->up ||
+                p->depth[(size_t)v * p->across + (size_t)u] < 0) {
                 continue;
             }
-            double rise = p->depth[(size_t)v * l->nx + (size_t)u] - here;
-            double a = i * l->pitch_x_mm, b = j * l->layer_mm;
+            double rise = p->depth[(size_t)v * p->across + (size_t)u] - here;
+            double a = i * p->pitch_mm[0], b = j * p->pitch_mm[1];
             sx += a * rise;
             sz += b * rise;
             xx += a * a;
@@ -178,70 +114,90 @@ static double light_at(const grade_picture *p, uint32_t x, uint32_t k)
     return 0.35 + 0.65 * (light < 0 ? 0 : light > 1.1 ? 1.1 : light);
 }
 
-// The surface, or the cut, as large as it fits.
-static void draw_view(const grade_picture *p, range r, int is_cut, panel where, canvas *to)
+// The surface, or the cut; `mm` is the size of a pixel.
+static void draw_view(const grade_picture *p, range r, int is_cut, panel where, double mm,
+                      canvas *to)
 {
-    const sf_lattice *l = &p->lattice;
-    double width = l->nx * l->pitch_x_mm, height = l->nz * l->layer_mm;
-    double mm = fmax(width / where.width, height / where.height);
-    int left = where.x + (int)((where.width - width / mm) / 2);
-    int top = where.y + (int)((where.height - height / mm) / 2);
-    for (int j = 0; j < (int)(height / mm); j++) {
-        for (int i = 0; i < (int)(width / mm); i++) {
-            uint32_t x = (uint32_t)((i + 0.5) * mm / l->pitch_x_mm);
-            uint32_t k = l->nz - 1 - (uint32_t)((j + 0.5) * mm / l->layer_mm);
-            size_t at = (size_t)k * l->nx + x;
-            if (x >= l->nx || k >= l->nz) {
+    for (int j = 0; j < where.height; j++) {
+        for (int i = 0; i < where.width; i++) {
+            uint32_t x = (uint32_t)((i + 0.5) * mm / p->pitch_mm[0]);
+            uint32_t z = (uint32_t)((where.height - j - 0.5) * mm / p->pitch_mm[1]);
+            size_t at = (size_t)z * p->across + x;
+            if (x >= p->across || z >= p->up) {
                 continue;
             }
             if (is_cut && p->has_cut[at]) {
-                put(to, left + i, top + j, shade(place_in(r, p->cut[at]), 1));
+                put(to, where.x + i, where.y + j, shade(place_in(r, p->cut[at]), 1));
             } else if (!is_cut && p->depth[at] >= 0) {
-                put(to, left + i, top + j, shade(place_in(r, p->front[at]), light_at(p, x, k)));
+                put(to, where.x + i, where.y + j,
+                    shade(place_in(r, p->front[at]), light_at(p, x, z)));
             }
         }
     }
+}
+
+// How many pixels a voxel of a layer is wide and high.
+typedef struct magnified {
+    int x, y;
+} magnified;
+
+// The largest whole numbers that fit and are as the pitches, or 1 where a layer does not fit.
+static magnified magnify(const sf_lattice *l, int width, int height)
+{
+    double least = fmin(l->pitch_x_mm, l->pitch_y_mm);
+    magnified best = {(int)(l->pitch_x_mm / least + 0.5), (int)(l->pitch_y_mm / least + 0.5)};
+    for (int n = 2; (double)n * l->nx <= width; n++) {
+        magnified next = {(int)(n * l->pitch_x_mm / least + 0.5),
+                          (int)(n * l->pitch_y_mm / least + 0.5)};
+        if (next.x * (double)l->nx <= width && next.y * (double)l->ny <= height) {
+            best = next;
+        }
+    }
+    return best;
 }
 
 // A layer, or the middle of it where it does not fit.
-static void draw_layer(const grade_picture *p, int which, const materials *m, panel where,
-                       canvas *to)
+static void draw_layer(const grade_picture *p, int which, const materials *m, magnified scale,
+                       panel where, canvas *to)
 {
     const sf_lattice *l = &p->lattice;
-    int across = where.width / (int)l->nx, down = where.height / (int)l->ny;
-    int scale = across < down ? across : down;
-    scale = scale < 1 ? 1 : scale;
-    int left = where.x + (where.width - scale * (int)l->nx) / 2;
-    int top = where.y + (where.height - scale * (int)l->ny) / 2;
-    for (int j = 0; j < scale * (int)l->ny; j++) {
-        for (int i = 0; i < scale * (int)l->nx; i++) {
-            uint32_t x = (uint32_t)(i / scale), y = l->ny - 1 - (uint32_t)(j / scale);
-            uint8_t id = p->layers[which][(size_t)y * l->nx + x];
-            int inside = left + i >= where.x && left + i < where.x + where.width &&
-                         top + j >= where.y && top + j < where.y + where.height;
-            if (id > 0 && inside) {
+    int left = where.x + (where.width - scale.x * (int)l->nx) / 2;
+    int top = where.y + (where.height - scale.y * (int)l->ny) / 2;
+    for (int j = 0; j < where.height; j++) {
+        for (int i = 0; i < where.width; i++) {
+            int x = where.x + i - left, y = where.y + j - top;
+            if (x < 0 || y < 0 || x / scale.x >= (int)l->nx || y / scale.y >= (int)l->ny) {
+                continue;
+            }
+            size_t row = l->ny - 1 - (uint32_t)(y / scale.y);
+            uint8_t id = p->layers[which][row * l->nx + (uint32_t)(x / scale.x)];
+            if (id > 0) {
                 const uint8_t *c = m->table[id - 1].colour;
                 colour made = {c[0], c[1], c[2]};
-                put(to, left + i, top + j, made);
+                put(to, where.x + i, where.y + j, made);
             }
         }
     }
 }
 
-static void draw_bar(range r, const char *name, panel where, int size, canvas *to)
+// The colours of the property with numbers below, and its name and unit above.
+static void draw_bar(range r, const sf_property *property, int x, int y, int width, int size,
+                     canvas *to)
 {
-    char words[96];
-    for (int i = 0; i < where.width; i++) {
-        colour c = shade((double)i / where.width, 1);
-        canvas_fill(to, where.x + i, where.y, where.x + i + 1, where.y + where.height, c);
+    char unit[RULER_UNIT_SIZE], words[SF_PROPERTY_NAME_SIZE + RULER_UNIT_SIZE + 4];
+    const char *name = ruler_unit(property, unit);
+    snprintf(words, sizeof words, "%s%s%s", property->name, name[0] != '\0' ? ", " : "", name);
+    canvas_text(to, x + width / 2, y + size, size, TEXT_CENTRE, ink, words);
+    y += size * 3 / 2;
+    for (int i = 0; i < width; i++) {
+        canvas_fill(to, x + i, y, x + i + 1, y + size, shade((double)i / width, 1));
     }
-    snprintf(words, sizeof words, "%.4g", r.low);
-    canvas_text(to, where.x, where.y + where.height + size + 2, size, TEXT_LEFT, ink, words);
-    snprintf(words, sizeof words, "%.4g", r.high);
-    canvas_text(to, where.x + where.width, where.y + where.height + size + 2, size, TEXT_CENTRE,
-                ink, words);
-    canvas_text(to, where.x + where.width / 2, where.y + where.height + size + 2, size, TEXT_CENTRE,
-                ink, name);
+    ruler numbers = {r.low, r.high, x, width};
+    ruler_draw(&numbers, y + size, size, NULL, to);
+    if (!(r.high > r.low)) {
+        snprintf(words, sizeof words, "%.6g everywhere", r.low);
+        canvas_text(to, x + width / 2, y + 5 * size / 2, size, TEXT_CENTRE, ink, words);
+    }
 }
 
 // In a row about x: a letter is about half as wide as high.
@@ -261,32 +217,100 @@ static void draw_swatches(const materials *m, int x, int y, int size, canvas *to
     }
 }
 
-exit_status grade_picture_draw(cli_job *job, const grade_picture *p, const materials *m, canvas *to)
+// ---------------------------------------------------------------------------------------------
+// The whole
+// ---------------------------------------------------------------------------------------------
+
+// Where things are, in pixels from the top; each block with its words.
+typedef struct layout {
+    int size, margin; // of text, and around things
+    double mm;        // of a pixel of the views
+    int view_width, view_height;
+    magnified scale; // of layers
+    int layer_width, layer_height;
+    int views, bar, swatches, layers; // where the blocks begin
+} layout;
+
+// Views get no more than a bit over half of what words leave; what is left over goes between.
+static layout lay_out(const grade_picture *p, int width, int height)
+{
+    layout l;
+    const double across = p->across * p->pitch_mm[0], up = p->up * p->pitch_mm[1];
+    l.size = height / 50 < 11 ? 11 : height / 50;
+    l.margin = width / 50;
+    int words = 18 * l.size + 2 * l.margin, room = height - words > 40 ? height - words : 40;
+    int most = 9 * room / 16;
+    l.mm = fmax(across / (width / 2.0 - 2 * l.margin), up / most);
+    l.view_width = (int)fmax(1, across / l.mm);
+    l.view_height = (int)fmax(1, up / l.mm);
+    l.layer_width = width / 3 - 2 * l.margin;
+    l.layer_height = room - l.view_height;
+    l.scale = magnify(&p->lattice, l.layer_width, l.layer_height);
+    l.layer_width = (int)fmin(l.layer_width, l.scale.x * (double)p->lattice.nx);
+    l.layer_height = (int)fmin(l.layer_height, l.scale.y * (double)p->lattice.ny);
+    int spare = (room - l.view_height - l.layer_height) / 4;
+    spare = spare > 0 ? spare : 0;
+    l.views = l.margin + spare / 2;
+    l.bar = l.views + 2 * l.size + l.view_height + 4 * l.size + spare;
+    l.swatches = l.bar + 5 * l.size + spare;
+    l.layers = l.swatches + 2 * l.size + spare / 2;
+    return l;
+}
+
+static void draw_views(const grade_picture *p, const layout *l, range r, int width, canvas *to)
+{
+    static const char *const names[] = {"front", "side", "top"};
+    static const char axes[] = {'y', 'x', 'z'};
+    const sf_lattice *at = &p->lattice;
+    int way = p->view == GRADE_FRONT ? 1 : p->view == GRADE_SIDE ? 0 : 2;
+    double pitch = way == 1 ? at->pitch_y_mm : way == 0 ? at->pitch_x_mm : at->layer_mm;
+    for (int is_cut = 0; is_cut < 2; is_cut++) {
+        char words[96];
+        int middle = width / 4 + is_cut * width / 2;
+        panel where = {middle - l->view_width / 2, l->views + 2 * l->size, l->view_width,
+                       l->view_height};
+        if (is_cut) {
+            snprintf(words, sizeof words, "cut at %c = %.4g mm, slice %u", axes[p->view],
+                     at->origin_mm[way] + (p->slice + 0.5) * pitch, p->slice);
+        } else {
+            snprintf(words, sizeof words, "surface, from the %s", names[p->view]);
+        }
+        canvas_text(to, middle, l->views + l->size, l->size, TEXT_CENTRE, ink, words);
+        draw_view(p, r, is_cut, where, l->mm, to);
+        ruler mm = {0, l->view_width * l->mm, where.x, where.width};
+        ruler_draw(&mm, where.y + where.height + l->size / 2, l->size, "mm", to);
+    }
+}
+
+static void draw_layers(const grade_picture *p, const layout *l, const materials *m, int width,
+                        canvas *to)
+{
+    for (int i = 0; i < GRADE_PICTURE_LAYERS; i++) {
+        char words[64];
+        int middle = width * i / 3 + width / 6;
+        panel where = {middle - l->layer_width / 2, l->layers + 2 * l->size, l->layer_width,
+                       l->layer_height};
+        snprintf(words, sizeof words, "layer %u, z = %.4g mm", p->which[i],
+                 p->lattice.origin_mm[2] + (p->which[i] + 0.5) * p->lattice.layer_mm);
+        canvas_text(to, middle, l->layers + l->size, l->size, TEXT_CENTRE, ink, words);
+        draw_layer(p, i, m, l->scale, where, to);
+        ruler mm = {0, where.width * p->lattice.pitch_x_mm / l->scale.x, where.x, where.width};
+        ruler_draw(&mm, where.y + where.height + l->size / 2, l->size, "mm", to);
+    }
+}
+
+exit_status grade_picture_draw(cli_job *job, const grade_picture *p, const materials *m,
+                               const sf_property *property, canvas *to)
 {
     const int width = (int)job->options.pixels[0], height = (int)job->options.pixels[1];
-    const int margin = width / 60, size = height / 50 < 11 ? 11 : height / 50;
-    const int upper = (height - 10 * size) / 2, lower = height - upper - 10 * size;
+    layout l = lay_out(p, width, height);
     range r = find_range(p);
     if (!canvas_create(to, (uint32_t)width, (uint32_t)height)) {
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the picture.");
     }
-    panel surface = {margin, margin, width / 2 - 2 * margin, upper - margin};
-    panel cut = {width / 2 + margin, margin, width / 2 - 2 * margin, upper - margin};
-    panel bar = {width / 4, upper + 2 * size, width / 2, size};
-    draw_view(p, r, 0, surface, to);
-    draw_view(p, r, 1, cut, to);
-    canvas_text(to, width / 4, upper + size + 2, size, TEXT_CENTRE, ink, "surface, from the front");
-    canvas_text(to, 3 * width / 4, upper + size + 2, size, TEXT_CENTRE, ink,
-                "cut through the middle");
-    draw_bar(r, m->properties[0], bar, size, to);
-    for (int i = 0; i < GRADE_PICTURE_LAYERS; i++) {
-        char words[48];
-        panel where = {width * i / 3 + margin / 2, upper + 8 * size, width / 3 - margin, lower};
-        draw_layer(p, i, m, where, to);
-        snprintf(words, sizeof words, "layer %u", p->which[i]);
-        canvas_text(to, width * i / 3 + width / 6, height - size - 4, size, TEXT_CENTRE, ink,
-                    words);
-    }
-    draw_swatches(m, width / 2, upper + 6 * size + size / 2, size, to);
+    draw_views(p, &l, r, width, to);
+    draw_bar(r, property, width / 4, l.bar, width / 2, l.size, to);
+    draw_swatches(m, width / 2, l.swatches + l.size, l.size, to);
+    draw_layers(p, &l, m, width, to);
     return EXIT_GOOD;
 }

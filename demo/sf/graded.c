@@ -229,9 +229,6 @@ static int set_up_planes(press *p)
         good = good && p->tones[i] != NULL;
     }
     p->ids = malloc(plane);
-    if (p->job->options.picture != NULL) {
-        good = good && grade_picture_begin(l, &p->picture);
-    }
     return good && p->ids != NULL && sf_grid_create(&one, NULL, &p->grid) == SF_OK;
 }
 
@@ -373,10 +370,10 @@ static exit_status publish(press *p, const char *path)
     return status == SF_OK ? EXIT_GOOD : job_fail_call(p->job, status, &fault, path, EXIT_RESOURCE);
 }
 
-static exit_status draw(press *p)
+static exit_status draw(press *p, const sf_property *property)
 {
     canvas to;
-    exit_status status = grade_picture_draw(p->job, &p->picture, p->m, &to);
+    exit_status status = grade_picture_draw(p->job, &p->picture, p->m, property, &to);
     if (status == EXIT_GOOD) {
         status = output_save_picture(p->job, &to, p->job->options.picture);
         canvas_destroy(&to);
@@ -391,7 +388,12 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
     if (status != EXIT_GOOD) {
         return status;
     }
-    status = set_up_shell(p);
+    if (p->job->options.picture != NULL) {
+        status = grade_picture_begin(p->job, &p->made->lattice, &p->picture);
+    }
+    if (status == EXIT_GOOD) {
+        status = set_up_shell(p);
+    }
     if (status != EXIT_GOOD) {
         return status;
     }
@@ -415,7 +417,9 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
         status = look_for_solid(p);
     }
     if (status == EXIT_GOOD && p->picture.front != NULL) {
-        status = draw(p);
+        const sf_channel *all;
+        (void)solids_channels(in, &all);
+        status = draw(p, &all[channels[0]].property);
     }
     return status == EXIT_GOOD ? publish(p, path) : status;
 }

@@ -97,6 +97,8 @@ static const option_entry table[] = {
     {OPTION_SMOOTH, "smooth", 0, "N",
      "passes of smoothing over a written mesh, 0 to 100 (default 0)"},
     {OPTION_VIEW, "view", 0, "AZ,EL", "degrees around and above, or iso, below, front, side, top"},
+    {OPTION_SLICE, "slice", 0, "N",
+     "the picture's cut goes through voxels N across its view (default: the middle)"},
     {OPTION_PIXELS, "pixels", 0, "W,H", "size of the picture, 64 to 16384 each (default 1200,900)"},
     {OPTION_COUNT, "count", 0, "N", "how many answers to give, 1 to 1000 (default 5)"},
     {OPTION_THREADS, "threads", 0, "N", "threads to use, 1 to 1024 (default: all processors)"},
@@ -134,6 +136,7 @@ static const struct {
     {"stand", OPTION_RESOLUTION, "voxels on the longest side, 1 to 65533 (default 64)"},
     {"grade", OPTION_MEMORY,
      "most memory for one layer and what it asks for, in MiB (default 4096)"},
+    {"grade", OPTION_VIEW, "where the picture looks from: front (default), side or top"},
     {"grade", OPTION_PICTURE, "also draw the surface, a cut through it, and three layers"},
 };
 

@@ -71,6 +71,7 @@
 #define OPTION_PAINT (UINT64_C(1) << 56)
 #define OPTION_SHELL (UINT64_C(1) << 57)
 #define OPTION_KEEP_OUT (UINT64_C(1) << 58)
+#define OPTION_SLICE (UINT64_C(1) << 59)
 
 // How tones become materials.
 typedef enum cli_mask { CLI_MASK_SLICE, CLI_MASK_ISOTROPIC, CLI_MASK_DIFFUSE } cli_mask;
@@ -105,7 +106,8 @@ typedef struct cli_options {
     double memory_mib;
     double azimuth_deg, elevation_deg; // where the camera stands
     uint32_t pixels[2];
-    uint32_t count;           // how many answers
+    uint32_t slice; // voxels across the view, that a picture is cut through; where it was given
+    uint32_t count; // how many answers
     double min_feature_mm;    // 0: none
     double wall_mm, drain_mm; // 0: not given
     uint32_t drain_count;     // holes for each void

@@ -96,11 +96,12 @@ const verb_entry verbs_table[] = {
       OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |
           OPTION_MEMORY | OPTION_PAINT | OPTION_PROPERTY | OPTION_MATERIALS | OPTION_MASK |
           OPTION_SEPARABLE | OPTION_SHELL | OPTION_KEEP_OUT | OPTION_PICTURE | OPTION_PIXELS |
-          HOST_OPTIONS,
+          OPTION_VIEW | OPTION_SLICE | HOST_OPTIONS,
       "  sf grade cage.vtk -o graded\n"
       "  sf grade cage.vtk --materials materials.json --pitch 0.0423,0.0846,0.027 -o graded\n"
       "  sf grade cage.vtk --shell 0.2,low -o graded\n"
       "  sf grade cage.vtk --paint recipe.json -o graded --picture graded.png\n"
+      "  sf grade cage.vtk -o graded --picture graded.png --view top --slice 8\n"
       "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
       "folder for the layers", NULL},
      verb_grade},

@@ -132,6 +132,17 @@ grep -q "more than 255 voxels" stderr
 ok $? "and says how far it may reach"
 exits 2 grade tets.vtk --pitch 0.5 --shell 1 --keep-out 1,low -o none
 
+# Pictures look from where they are asked to, and are cut where they can be.
+for view in front side top; do
+    exits 0 grade cage.vtk --resolution 16 -o seen --view $view --slice 3 --pixels 300,200 --picture $view.png
+done
+cmp -s front.png side.png || cmp -s front.png top.png
+same $? 1 "they are not the same picture"
+exits 2 grade cage.vtk --resolution 16 -o none --picture none.png --view iso
+exits 2 grade cage.vtk --resolution 16 -o none --picture none.png --slice 60
+grep -q "across that view" stderr
+ok $? "and says which slices there are"
+
 # What cannot be.
 exits 2 grade cage.vtk
 exits 3 grade cage.vtk --property nothing -o none
