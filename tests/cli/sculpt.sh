@@ -74,6 +74,21 @@ hash=$(cat stdout)
 ok $? "input changes the model"
 exits 0 --headless --session first.session --hash
 same "$(cat stdout)" "$hash" "and its session gives the same"
+# Steps that were there when a session was opened can be undone; the next session knows them too,
+# and so does one after it.
+printf 'do 0 0 0 0 0 0 0\ndo 0 0 0 0 0 0 0\n' >undo
+exits 0 --headless --scene shaun --resolution 96 --input undo --hash --save undone.session
+undone=$(cat stdout)
+[ "$undone" != "$shaun" ]
+ok $? "strokes of a scene are undone"
+exits 0 --headless --session undone.session --hash
+same "$(cat stdout)" "$undone" "and its session gives the same"
+exits 0 --headless --session first.session --input undo --hash --save third.session
+undone=$(cat stdout)
+exits 0 --headless --session third.session --hash
+same "$(cat stdout)" "$undone" "as do steps of a session that was opened"
+grep -q '^stroke' undone.session
+ok $? "which keeps the strokes that it began with"
 exits 3 --headless --input nowhere --hash
 echo 'dance 1 2' >nonsense
 exits 3 --headless --input nonsense --hash

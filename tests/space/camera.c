@@ -17,7 +17,7 @@ static editor *make(void)
     sf_sculpt *model = NULL;
     o.lattice.nx = o.lattice.ny = o.lattice.nz = 32;
     CHECK(sf_sculpt_create(&o, NULL, &model) == SF_OK);
-    editor *e = editor_create(model, WIDTH, HEIGHT);
+    editor *e = editor_create(model, NULL, WIDTH, HEIGHT);
     CHECK(e != NULL);
     return e;
 }

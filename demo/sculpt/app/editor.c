@@ -33,7 +33,8 @@ static void frame_all(editor *e)
     e->camera = view_camera_fit(low, high, e->camera.azimuth, e->camera.elevation, aspect);
 }
 
-// A session that begins with what the model is now.
+// A session that begins with what the model is now. Steps that the model could undo before are no
+// part of it, so it is for models that a single step made, or none.
 static sf_session *begin_session(const sf_sculpt *model)
 {
     sf_sculpt_options o = sf_sculpt_options_of(model);
@@ -54,12 +55,13 @@ static sf_session *begin_session(const sf_sculpt *model)
     return session;
 }
 
-int editor_replace(editor *e, sf_sculpt *model)
+int editor_replace(editor *e, sf_sculpt *model, sf_session *session)
 {
     sf_grid *base = NULL;
-    sf_session *session = begin_session(model);
-    if (session == NULL || sf_grid_clone(sf_sculpt_printable(model), NULL, &base) != SF_OK) {
-        sf_session_destroy(session);
+    sf_session *begun = session == NULL ? begin_session(model) : NULL;
+    if ((session == NULL && begun == NULL) ||
+        sf_grid_clone(sf_sculpt_printable(model), NULL, &base) != SF_OK) {
+        sf_session_destroy(begun);
         return 0;
     }
     sf_sculpt_destroy(e->model);
@@ -67,7 +69,7 @@ int editor_replace(editor *e, sf_sculpt *model)
     sf_grid_destroy(e->base);
     sf_tip_destroy(e->tip);
     e->model = model;
-    e->session = session;
+    e->session = session != NULL ? session : begun;
     e->base = base;
     e->tip = NULL;
     e->drag = DRAG_NONE;
@@ -80,11 +82,12 @@ int editor_replace(editor *e, sf_sculpt *model)
     return 1;
 }
 
-editor *editor_create(sf_sculpt *model, uint32_t width, uint32_t height)
+editor *editor_create(sf_sculpt *model, sf_session *session, uint32_t width, uint32_t height)
 {
     editor *e = calloc(1, sizeof *e);
     if (e == NULL) {
         sf_sculpt_destroy(model);
+        sf_session_destroy(session);
         return NULL;
     }
     sf_lattice l = sf_sculpt_options_of(model).lattice;
@@ -98,8 +101,9 @@ editor *editor_create(sf_sculpt *model, uint32_t width, uint32_t height)
     e->overlays = view_overlays_default();
     e->overlays.cut_axis = 2;
     e->overlays.cut_mm = 0.25 * l.nz * l.layer_mm;
-    if (!editor_replace(e, model)) {
+    if (!editor_replace(e, model, session)) {
         sf_sculpt_destroy(model);
+        sf_session_destroy(session);
         free(e);
         return NULL;
     }

@@ -29,7 +29,7 @@ typedef struct editor_brush {
 
 typedef struct editor {
     sf_sculpt *model;
-    sf_session *session; // of all that was done
+    sf_session *session; // of all that was done, what can be undone above all
     sf_grid *base;       // what was printable when the stroke began: where places are picked
     sf_tip *tip;         // of the brush; NULL where it must be made anew
     editor_brush brush;
@@ -53,15 +53,18 @@ typedef struct editor {
     char said[APP_WHY_SIZE]; // what a person should read; empty where nothing
 } editor;
 
-// An editor of a model, which it takes over. NULL where there is no memory: then it goes as well.
-editor *editor_create(sf_sculpt *model, uint32_t width, uint32_t height);
+// An editor of a model and of the session that made it, both of which it takes over; a NULL session
+// is one that begins with what the model is now. NULL where there is no memory: then they go as
+// well.
+editor *editor_create(sf_sculpt *model, sf_session *session, uint32_t width, uint32_t height);
 void editor_destroy(editor *e);
 
 // Take an event.
 void editor_take(editor *e, const app_event *event);
 
-// Put another model in the place of this one; the view has to look at it anew.
-int editor_replace(editor *e, sf_sculpt *model);
+// Put another model in the place of this one; the view has to look at it anew. 0 where there is no
+// memory: then model and session stay the caller's.
+int editor_replace(editor *e, sf_sculpt *model, sf_session *session);
 
 // What is drawn beside the shape, the cursor included.
 view_overlays editor_overlays(const editor *e);

@@ -37,13 +37,15 @@ void app_open_file(app *a, const char *path)
     if (e->drag == DRAG_STROKE) {
         return;
     }
-    sf_sculpt *model = ends_with(path, ".session") ? app_open_session(path, e->said)
+    sf_session *session = NULL;
+    sf_sculpt *model = ends_with(path, ".session") ? app_open_session(path, &session, e->said)
                                                    : app_open_mesh(path, a->options, e->said);
     if (model == NULL) {
         return;
     }
-    if (!editor_replace(e, model)) {
+    if (!editor_replace(e, model, session)) {
         sf_sculpt_destroy(model);
+        sf_session_destroy(session);
         snprintf(e->said, sizeof e->said, "There is no memory for that model.");
         return;
     }

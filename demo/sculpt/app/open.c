@@ -93,20 +93,35 @@ static sf_status draw_scene(void *user, sf_grid *grid)
     return status;
 }
 
-// A scene that brushes made. Its sessions keep no ghosts; a model that shall is another, with the
-// same shape.
-static sf_sculpt *play(const app_options *o, char why[APP_WHY_SIZE])
+// The model that a session makes. The session goes on with it: what the model can undo, a session
+// that began with its shape alone could not. A state that it kept would not be that at its end.
+static sf_status replay(sf_session *made, sf_sculpt **model, sf_session **session)
 {
-    sf_session *session = NULL;
-    sf_sculpt *model = NULL, *kept;
-    sf_status status = sculpted_session(o->scene, o->resolution, NULL, &session);
-    if (status == SF_OK) {
-        status = sf_session_replay(session, NULL, NULL, &model);
+    sf_status status = sf_session_replay(made, NULL, NULL, model);
+    if (status != SF_OK) {
+        sf_session_destroy(made);
+        return status;
     }
-    sf_session_destroy(session);
+    (void)!sf_session_keep_state(made, NULL);
+    *session = made;
+    return SF_OK;
+}
+
+// A scene that brushes made. Its sessions keep no ghosts; a model that shall is another, with the
+// same shape, and no session.
+static sf_sculpt *play(const app_options *o, sf_session **session, char why[APP_WHY_SIZE])
+{
+    sf_session *made = NULL;
+    sf_sculpt *model = NULL, *kept;
+    sf_status status = sculpted_session(o->scene, o->resolution, NULL, &made);
+    if (status == SF_OK) {
+        status = replay(made, &model, session);
+    }
     if (status != SF_OK || !o->keep_drawn) {
         return status == SF_OK ? model : fail(why, o->scene, sf_status_message(status));
     }
+    sf_session_destroy(*session);
+    *session = NULL;
     kept = create(o, sf_sculpt_options_of(model).lattice.pitch_x_mm, why);
     if (kept != NULL) {
         status = sf_sculpt_replace(kept, sf_sculpt_drawn(model), sf_sculpt_materials(model), NULL);
@@ -119,14 +134,14 @@ static sf_sculpt *play(const app_options *o, char why[APP_WHY_SIZE])
     return kept;
 }
 
-static sf_sculpt *open_scene(const app_options *o, char why[APP_WHY_SIZE])
+static sf_sculpt *open_scene(const app_options *o, sf_session **session, char why[APP_WHY_SIZE])
 {
     const char *name = o->scene;
     double size[3], longest;
     char copy[64];
     for (size_t i = 0; sculpted_names[i] != NULL; i++) {
         if (strcmp(sculpted_names[i], name) == 0) {
-            return play(o, why);
+            return play(o, session, why);
         }
     }
     if (!scene_size(name, size)) {
@@ -196,21 +211,20 @@ sf_sculpt *app_open_mesh(const char *path, const app_options *o, char why[APP_WH
 // Sessions
 // ---------------------------------------------------------------------------------------------
 
-sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE])
+sf_sculpt *app_open_session(const char *path, sf_session **session, char why[APP_WHY_SIZE])
 {
     sf_file *file = NULL;
-    sf_session *session = NULL;
+    sf_session *made = NULL;
     sf_sculpt *model = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
     sf_status status = sf_file_open(path, NULL, &file, &fault);
     if (status == SF_OK) {
-        status = sf_session_read(sf_file_source(file), 0, NULL, &session, &fault);
+        status = sf_session_read(sf_file_source(file), 0, NULL, &made, &fault);
     }
     sf_file_close(file);
     if (status == SF_OK) {
-        status = sf_session_replay(session, NULL, NULL, &model);
+        status = replay(made, &model, session);
     }
-    sf_session_destroy(session);
     if (status != SF_OK && fault.line > 0) {
         snprintf(why, APP_WHY_SIZE, "%s, line %u: %s", path, fault.line, fault.message);
         return NULL;
@@ -221,13 +235,14 @@ sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE])
                       fault.message[0] != '\0' ? fault.message : sf_status_message(status));
 }
 
-sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE])
+sf_sculpt *app_open(const app_options *options, sf_session **session, char why[APP_WHY_SIZE])
 {
+    *session = NULL;
     if (options->session != NULL) {
-        return app_open_session(options->session, why);
+        return app_open_session(options->session, session, why);
     }
     if (options->scene != NULL) {
-        return open_scene(options, why);
+        return open_scene(options, session, why);
     }
     return options->file != NULL ? app_open_mesh(options->file, options, why)
                                  : open_empty(options, why);

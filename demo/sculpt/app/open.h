@@ -4,7 +4,7 @@
 #ifndef SCULPT_APP_OPEN_H
 #define SCULPT_APP_OPEN_H
 
-#include <sf/sculpt.h>
+#include <sf/session.h>
 
 #include "options.h"
 
@@ -15,11 +15,11 @@
 // gets a sentence.
 sf_sculpt *app_open_mesh(const char *path, const app_options *options, char why[APP_WHY_SIZE]);
 
-// What a session gives, in its own space.
-sf_sculpt *app_open_session(const char *path, char why[APP_WHY_SIZE]);
+// What a session gives, in its own space; and the session, to be gone on with.
+sf_sculpt *app_open_session(const char *path, sf_session **session, char why[APP_WHY_SIZE]);
 
-// What the command line asks to begin with.
-sf_sculpt *app_open(const app_options *options, char why[APP_WHY_SIZE]);
+// What the command line asks to begin with, and the session that made it; NULL where none did.
+sf_sculpt *app_open(const app_options *options, sf_session **session, char why[APP_WHY_SIZE]);
 
 // A number for a model: the same for the same bits and materials, and hardly for others.
 uint64_t app_hash(const sf_sculpt *model);

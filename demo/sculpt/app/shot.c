@@ -146,12 +146,13 @@ static int draw(const app_options *o, const editor *e)
 static editor *make_editor(const app_options *o, int *status)
 {
     char why[APP_WHY_SIZE] = "";
-    sf_sculpt *model = app_open(o, why);
+    sf_session *session;
+    sf_sculpt *model = app_open(o, &session, why);
     if (model == NULL) {
         *status = complain(WRONG_INPUT, why);
         return NULL;
     }
-    editor *e = editor_create(model, o->width, o->height);
+    editor *e = editor_create(model, session, o->width, o->height);
     if (e == NULL) {
         *status = complain(NO_RESOURCE, "There is no memory for the model.");
         return NULL;

@@ -323,11 +323,12 @@ int app_run_window(const app_options *options)
     app a;
     memset(&a, 0, sizeof a);
     a.options = options;
-    sf_sculpt *model = app_open(options, why);
+    sf_session *session;
+    sf_sculpt *model = app_open(options, &session, why);
     if (model == NULL) {
         return complain(WRONG_INPUT, why);
     }
-    a.editor = editor_create(model, options->width, options->height);
+    a.editor = editor_create(model, session, options->width, options->height);
     a.play = options->input != NULL ? fopen(options->input, "r") : NULL;
     a.record = options->record != NULL ? fopen(options->record, "w") : NULL;
     if (a.editor == NULL || (options->record != NULL && a.record == NULL) ||
