@@ -72,7 +72,10 @@ static size_t size_of(const sf_sculpt_options *options)
     add(&t, 1, area, 24, 1);
     add(&t, 1, (size_t)l->nx + l->nz, 64, 1);
     if (!sfi_rule_is_element(&options->rule)) {
-        add(&t, 8, row, l->ny, l->nz);
+        // Fields of codes, whose rows are as long as a grid's where these are short: a path finder
+        // keeps less than 3 grids' worth, preserve asks for less than 10, and for slices of them.
+        add(&t, 14, row, l->ny, l->nz);
+        add(&t, 64, row, l->ny, 1);
         add(&t, 2, area, l->nz, 1);
         add(&t, 64, area, 1, 1);
     }

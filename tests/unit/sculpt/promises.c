@@ -207,6 +207,21 @@ static void slack(void)
     session_under(&o);
 }
 
+// Rows that are far shorter than what they are padded to, and few layers: what preserve works with
+// is then large beside the model.
+static void slack_in_narrow_spaces(void)
+{
+    static const uint32_t counts[3][3] = {{3, 100, 31}, {2, 129, 7}, {1, 100, 3}};
+    for (int i = 0; i < 3; i++) {
+        sf_sculpt_options o = small_options();
+        o.lattice.nx = counts[i][0];
+        o.lattice.ny = counts[i][1];
+        o.lattice.nz = counts[i][2];
+        CHECK(sf_rule_make(SF_RULE_SLACK, 0.6, &o.lattice, NULL, &o.rule, NULL) == SF_OK);
+        session_under(&o);
+    }
+}
+
 static void bridges(void)
 {
     sf_sculpt_options o = small_options();
@@ -345,6 +360,7 @@ int main(void)
     TEST(names);
     TEST(one_request);
     TEST(slack);
+    TEST(slack_in_narrow_spaces);
     TEST(bridges);
     TEST(abandon);
     TEST(ghosts);
