@@ -304,9 +304,9 @@ SF_API SF_CHECKED sf_status sf_sculpt_begin(sf_sculpt *model, const sf_brush *br
  * @param dabs    where; may be NULL where count is 0
  * @param count   how many
  * @param change  what changed; may be NULL, which saves counting
- * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no stroke under way, a dab beyond 2^30;
- * SF_ERR_MEMORY: what was set aside does not suffice, which a rule with slack or bridges can meet.
- * A call that fails leaves the stroke as it was.
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no stroke under way, a dab beyond 2^30: the
+ * stroke is as it was, and goes on; SF_ERR_MEMORY: what was set aside does not suffice, which a
+ * rule with slack or bridges can meet: the stroke is given up, as by sf_sculpt_abandon().
  * @cost add-trim, remove-trim, paint: the new tips' boxes and what changes above them; the others:
  * the box around the whole stroke; add-grow also a search for each dab. Under a rule with slack a
  * trim.
