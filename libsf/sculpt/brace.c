@@ -2,8 +2,9 @@
 // Brace: what add-grow puts below tips that would not be carried.
 //
 // Let U be the union of the tips on or above the bed, T what is printable of the shape with U and
-// the paths below it, and F = T + U, within the rectangle around U and a tip's width more on every
-// side. From the top layer of U down to the bed, with X_k what is added in layer k:
+// the paths below it, and F = T + U, within the rectangle around the boxes of the tips, as far as
+// they lie in the grid, and a tip's width more on every side. From the top layer of U down to the
+// bed, with X_k what is added in layer k:
 //
 //     A = U_{k+1} + X_{k+1}              what must stand in the layer above
 //     R = A \ dilate(F_k)                what of it nothing carries

@@ -12,6 +12,7 @@
 
 typedef struct oracle {
     int nx, ny, nz, bed, keep_drawn;
+    int low[2], high[2]; // the rectangle of the stroke's tips, their boxes clipped to the grid
     size_t count;
     sf_rule rule;
     uint8_t *d, *t, *m;        // drawn, printable, materials
@@ -135,6 +136,33 @@ static inline void oracle_put(const oracle *o, uint8_t *part, const sf_tip *tip,
     }
 }
 
+static inline int oracle_clip(int64_t x, int most)
+{
+    return x < 0 ? 0 : x > most ? most : (int)x;
+}
+
+// low and high grown by the box of the tip at (x, y, z), as far as it lies within the grid.
+static inline void oracle_bound(oracle *o, const sf_tip *tip, int x, int y, int z, int flip_x,
+                                int flip_y)
+{
+    sf_dab a;
+    sf_lattice l = sf_grid_lattice(sf_tip_mask(tip, &a));
+    int64_t from[3] = {(int64_t)x - (flip_x ? (int64_t)l.nx - 1 - a.x : a.x),
+                       (int64_t)y - (flip_y ? (int64_t)l.ny - 1 - a.y : a.y), (int64_t)z - a.z};
+    const int most[3] = {o->nx, o->ny, o->nz};
+    const int64_t size[3] = {l.nx, l.ny, l.nz};
+    int low[3], high[3], is_inside = 1;
+    for (int i = 0; i < 3; i++) {
+        low[i] = oracle_clip(from[i], most[i]);
+        high[i] = oracle_clip(from[i] + size[i], most[i]);
+        is_inside &= low[i] < high[i];
+    }
+    for (int i = 0; i < 2 && is_inside; i++) {
+        o->low[i] = low[i] < o->low[i] ? low[i] : o->low[i];
+        o->high[i] = high[i] > o->high[i] ? high[i] : o->high[i];
+    }
+}
+
 // ---------------------------------------------------------------------------------------------
 // Brushes
 // ---------------------------------------------------------------------------------------------
@@ -206,24 +234,14 @@ static inline void oracle_smooth(oracle *o, uint32_t passes)
     }
 }
 
-// The rectangle that braces look in: that of the tips, and a tip's size more on every side.
+// The rectangle that braces look in: that of the tips' boxes, and a tip's size more on every side.
 static inline void oracle_within(const oracle *o, const sf_tip *tip, int low[2], int high[2])
 {
     sf_lattice l = sf_grid_lattice(sf_tip_mask(tip, NULL));
     const int more[2] = {(int)l.nx, (int)l.ny}, most[2] = {o->nx, o->ny};
-    low[0] = low[1] = INT32_MAX;
-    high[0] = high[1] = 0;
-    ORACLE_EACH(o, x, y, z)
-    {
-        const int at[2] = {x, y};
-        for (int i = 0; i < 2 && o->u[oracle_at(o, x, y, z)]; i++) {
-            low[i] = at[i] < low[i] ? at[i] : low[i];
-            high[i] = at[i] + 1 > high[i] ? at[i] + 1 : high[i];
-        }
-    }
     for (int i = 0; i < 2; i++) {
-        low[i] = low[i] > more[i] ? low[i] - more[i] : 0;
-        high[i] = high[i] + more[i] < most[i] ? high[i] + more[i] : most[i];
+        low[i] = o->low[i] > more[i] ? o->low[i] - more[i] : 0;
+        high[i] = o->high[i] + more[i] < most[i] ? o->high[i] + more[i] : most[i];
     }
 }
 
@@ -378,6 +396,8 @@ static inline void oracle_collect(oracle *o, const sf_brush *brush, const sf_dab
     sf_grid *shape = oracle_grid(o, o->t0);
     memset(o->u, 0, o->count);
     memset(o->grown, 0, o->count);
+    o->low[0] = o->low[1] = INT32_MAX;
+    o->high[0] = o->high[1] = 0;
     for (size_t n = 0; n < count; n++) {
         for (int way = 0; way < 4; way++) {
             int fx = way & 1, fy = way >> 1;
@@ -387,6 +407,7 @@ static inline void oracle_collect(oracle *o, const sf_brush *brush, const sf_dab
             int x = fx ? o->nx - 1 - dabs[n].x : dabs[n].x;
             int y = fy ? o->ny - 1 - dabs[n].y : dabs[n].y;
             oracle_put(o, o->u, brush->tip, x, y, dabs[n].z, fx, fy);
+            oracle_bound(o, brush->tip, x, y, dabs[n].z, fx, fy);
             if (brush->kind == SF_BRUSH_ADD_GROW) {
                 oracle_path(o, brush->tip, shape, x, y, dabs[n].z, fx, fy);
             }

@@ -105,11 +105,22 @@ static void other_rules(void)
     run(&options, 250, &t);
 }
 
+// Most of what a brush covers lies beyond the border.
+static void thin(void)
+{
+    tally t = {{0}, {0}, {0}};
+    sf_sculpt_options flat = small_model(128, 1, 40), tall = small_model(1, 65, 40);
+    flat.keep_drawn = 1;
+    run(&flat, 1200, &t);
+    run(&tall, 800, &t);
+}
+
 int main(void)
 {
     TEST(box3);
     TEST(ghosts);
     TEST(bed_above);
     TEST(other_rules);
+    TEST(thin);
     return test_finish();
 }
