@@ -89,9 +89,30 @@ exits 0 --headless --session third.session --hash
 same "$(cat stdout)" "$undone" "as do steps of a session that was opened"
 grep -q '^stroke' undone.session
 ok $? "which keeps the strokes that it began with"
+# The release of another button than the one that draws does not end a stroke.
+cat >buttons <<'END'
+press 0 0 480 220 0 0 0
+press 1 0 480 220 0 0 0
+release 1 0 480 220 0 0 0
+move 0 0 560 300 0 0 0
+release 0 0 560 300 0 0 0
+END
+exits 0 --headless --scene shaun --resolution 96 --input buttons --hash --size 800x600
+both=$(cat stdout)
+grep -v ' 1 0 480' buttons >button
+exits 0 --headless --scene shaun --resolution 96 --input button --hash --size 800x600
+same "$(cat stdout)" "$both" "another button that comes and goes changes nothing"
+[ "$both" != "$shaun" ]
+ok $? "of a stroke that there is"
 exits 3 --headless --input nowhere --hash
 echo 'dance 1 2' >nonsense
 exits 3 --headless --input nonsense --hash
+for number in nan inf -inf 1e300; do
+    echo "move 0 0 $number 0 0 0 0" >nonsense
+    exits 3 --headless --input nonsense --hash
+    grep -q 'line 1' stderr
+    ok $? "and so is $number: $(cat stderr)"
+done
 exits 4 --headless --save nowhere/there.session --hash
 
 # The session that docs/sculpt.md shows.

@@ -204,6 +204,7 @@ static void press(editor *e, const app_event *event)
     if (e->drag != DRAG_NONE) {
         return;
     }
+    e->button = event->code;
     int turns =
         event->code == BUTTON_RIGHT || (event->code == BUTTON_LEFT && (event->mods & MOD_ALT) != 0);
     if (turns) {
@@ -217,8 +218,11 @@ static void press(editor *e, const app_event *event)
     }
 }
 
-static void release(editor *e)
+static void release(editor *e, const app_event *event)
 {
+    if (event->code != e->button) {
+        return; // another one, which began nothing
+    }
     if (e->drag == DRAG_STROKE) {
         editor_stroke_end(e);
     }
@@ -417,7 +421,7 @@ void editor_take(editor *e, const app_event *event)
         press(e, event);
         break;
     case EVENT_RELEASE:
-        release(e);
+        release(e, event);
         break;
     case EVENT_SCROLL:
         view_camera_zoom(&e->camera, exp(-0.12 * event->y));

@@ -39,6 +39,7 @@ typedef struct editor {
     uint32_t width, height; // of the picture
     double x, y;            // where the pointer is, pixels from the upper left
     editor_drag drag;
+    int button;    // that drags
     int has_place; // whether the pointer is over a place
     sf_dab place;  // which
     double at_mm[3];

@@ -4,6 +4,7 @@
 
 #include "event.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *const words[EVENT_KIND_COUNT] = {"size", "move", "press", "release", "scroll",
@@ -15,6 +16,20 @@ void app_event_write(FILE *file, const app_event *event)
             event->mods, event->x, event->y, event->z, event->a, event->b);
 }
 
+// No pointer, size or setting is further from 0; what is would end as no number in a camera.
+#define NUMBER_MOST 1e9
+
+static int are_numbers(const app_event *e)
+{
+    const double numbers[5] = {e->x, e->y, e->z, e->a, e->b};
+    for (int i = 0; i < 5; i++) {
+        if (!(fabs(numbers[i]) <= NUMBER_MOST)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 int app_event_read(FILE *file, app_event *event)
 {
     char line[512], word[16];
@@ -23,7 +38,8 @@ int app_event_read(FILE *file, app_event *event)
         return 0;
     }
     if (sscanf(line, "%15s %d %u %lf %lf %lf %lf %lf", word, &e.code, &e.mods, &e.x, &e.y, &e.z,
-               &e.a, &e.b) != 8) {
+               &e.a, &e.b) != 8 ||
+        !are_numbers(&e)) {
         return -1;
     }
     for (int k = 0; k < EVENT_KIND_COUNT; k++) {
