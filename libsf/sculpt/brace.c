@@ -93,7 +93,7 @@ static void add(sweep *w, uint32_t k)
             uint64_t fresh = x[i] & ~d[i];
             d[i] |= fresh;
             sfi_bytes_set(materials, first + i, fresh, m->brush.material);
-            sfi_area_note(&m->braced, first + i, x[i], w->part.y0 + y, k);
+            sfi_area_note(&m->braced, first + i, fresh, w->part.y0 + y, k);
         }
     }
 }

@@ -20,11 +20,13 @@ static sf_status preserve(sf_sculpt *m)
                             NULL);
 }
 
-// D and materials follow T, in one row.
+// D and materials follow T, in one row. What changes is printable where it was before the stroke;
+// the rest are ghosts.
 static void follow(sf_sculpt *m, sf_rect r, uint32_t y, uint32_t z)
 {
     const uint64_t *was = sfi_slice_row(sf_grid_slice(m->before.drawn, z), y);
     const uint64_t *u = sfi_slice_row(sf_grid_slice(m->tips, z), y);
+    const uint64_t *lived = sfi_slice_row(sf_grid_slice(m->before.printable, z), y);
     const uint64_t *t = sfi_slice_row(sf_grid_slice(m->now.printable, z), y);
     uint64_t *d = sfi_slice_row(sf_grid_slice(m->now.drawn, z), y);
     uint8_t *materials = sfi_material_row(m, &m->now, y, z);
@@ -35,6 +37,7 @@ static void follow(sf_sculpt *m, sf_rect r, uint32_t y, uint32_t z)
         sfi_bytes_set(materials, i, changed & ~fresh, 0);
         sfi_bytes_copy(materials, were, i, changed & fresh);
         sfi_area_note(&m->called.drawn, i, changed, y, z);
+        sfi_area_note(&m->called.printable, i, changed & lived[i], y, z);
         sfi_area_note(&m->called.material, i, changed, y, z);
     }
 }
@@ -50,6 +53,5 @@ sf_status sfi_brush_preserve(sf_sculpt *m)
             follow(m, r, y, z);
         }
     }
-    sfi_area_join(&m->called.printable, &m->called.drawn);
     return SF_OK;
 }

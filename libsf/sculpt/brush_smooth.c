@@ -195,13 +195,13 @@ sf_status sfi_brush_smooth(sf_sculpt *m)
     }
     keep[0].words = words;
     keep[1].words = words + bytes / sizeof *words;
+    sfi_drawn_differences(m, &m->in_tips, &m->called); // of earlier calls, which go
     sfi_sculpt_copy(m, &m->now, &m->before, &restored);
     for (uint32_t i = 0; i < m->brush.passes; i++) {
         pass(m, keep, box);
     }
     settle(m);
     sfi_free_array(&m->scratch, words, 2, bytes);
-    sfi_area_join(&m->called.drawn, &m->in_tips);
-    sfi_area_join(&m->called.material, &m->in_tips);
+    sfi_drawn_differences(m, &m->in_tips, &m->called);
     return sfi_sculpt_trim(m, &m->in_tips);
 }

@@ -86,6 +86,10 @@ sf_status sfi_sculpt_trim(sf_sculpt *m, const sfi_area *changed);
 // Count what a stroke did, where it touched the model.
 void sfi_sculpt_count(const sf_sculpt *m, sf_sculpt_change *change);
 
+// *differs grown by where `now` is not `before`, within an area: D and materials; T.
+void sfi_drawn_differences(const sf_sculpt *m, const sfi_area *within, sfi_touch *differs);
+void sfi_printable_differences(const sf_sculpt *m, const sfi_area *within, sfi_area *differs);
+
 // The boxes around what was touched.
 void sfi_sculpt_boxes(const sfi_touch *touched, sf_sculpt_change *change);
 

@@ -59,6 +59,55 @@ void sfi_sculpt_copy(const sf_sculpt *m, const sfi_state *to, const sfi_state *f
     }
 }
 
+static void note_bits(const sf_grid *a, const sf_grid *b, const sfi_area *within, sfi_area *differs)
+{
+    for (uint32_t z = within->z0; z < within->z1; z++) {
+        sf_slice sa = sf_grid_slice(a, z), sb = sf_grid_slice(b, z);
+        sf_rect r = within->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            const uint64_t *one = sfi_slice_row(sa, y), *other = sfi_slice_row(sb, y);
+            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
+                sfi_area_note(differs, i, one[i] ^ other[i], y, z);
+            }
+        }
+    }
+}
+
+// From the first byte that differs to the last.
+static void note_bytes(const uint8_t *a, const uint8_t *b, sf_rect r, uint32_t y, uint32_t z,
+                       sfi_area *differs)
+{
+    uint32_t x0 = r.x0, x1 = r.x1;
+    if (x0 == x1 || memcmp(a + x0, b + x0, x1 - x0) == 0) {
+        return;
+    }
+    while (a[x0] == b[x0]) {
+        x0++;
+    }
+    while (a[x1 - 1] == b[x1 - 1]) {
+        x1--;
+    }
+    sf_rect part = {x0, y, x1, y + 1};
+    sfi_area_add(differs, part, z);
+}
+
+void sfi_drawn_differences(const sf_sculpt *m, const sfi_area *within, sfi_touch *differs)
+{
+    note_bits(m->now.drawn, m->before.drawn, within, &differs->drawn);
+    for (uint32_t z = within->z0; z < within->z1; z++) {
+        sf_rect r = within->rects[z];
+        for (uint32_t y = r.y0; y < r.y1; y++) {
+            note_bytes(sfi_material_row(m, &m->now, y, z), sfi_material_row(m, &m->before, y, z), r,
+                       y, z, &differs->material);
+        }
+    }
+}
+
+void sfi_printable_differences(const sf_sculpt *m, const sfi_area *within, sfi_area *differs)
+{
+    note_bits(m->now.printable, m->before.printable, within, differs);
+}
+
 sf_status sfi_sculpt_trim(sf_sculpt *m, const sfi_area *changed)
 {
     return sfi_trim_area(m->now.drawn, m->now.printable, &m->terms.rule, m->terms.bed_layer,

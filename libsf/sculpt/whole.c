@@ -49,7 +49,8 @@ sf_status sf_sculpt_replace(sf_sculpt *model, const sf_grid *drawn, const uint8_
         SF_TRY(sfi_terms_match(&model->lattice, drawn));
         SF_TRY(sfi_trim_into(model->now.printable, drawn, &model->terms, model->terms.bed_layer,
                              &model->scratch, NULL));
-        SF_TRY(sfi_grid_copy(model->now.drawn, drawn));
+        SF_TRY(sfi_grid_copy(model->now.drawn,
+                             model->options.keep_drawn ? drawn : model->now.printable));
     } else {
         for (uint32_t z = 0; z < all.z1; z++) {
             sfi_slice_clear(sf_grid_slice(model->now.drawn, z));
@@ -57,12 +58,17 @@ sf_status sf_sculpt_replace(sf_sculpt *model, const sf_grid *drawn, const uint8_
         }
     }
     put_materials(model, materials);
-    sfi_area_add_box(&model->touched.drawn, all);
-    sfi_area_add_box(&model->touched.printable, all);
-    sfi_area_add_box(&model->touched.material, all);
-    sfi_sculpt_commit(model, model->options.keep_drawn, change);
+    sf_sculpt_change boxes;
+    sfi_area_clear(&model->work);
+    sfi_area_add_box(&model->work, all);
+    sfi_drawn_differences(model, &model->work, &model->touched);
+    sfi_printable_differences(model, &model->work, &model->touched.printable);
+    sfi_sculpt_boxes(&model->touched, &boxes);
+    sfi_sculpt_commit(model, 1, change); // ghosts that may not stay were never put
     if (change != NULL) {
-        change->drawn = change->printable = change->material = all;
+        change->drawn = boxes.drawn;
+        change->printable = boxes.printable;
+        change->material = boxes.material;
         change->removed_voxels = change->lost_voxels; // there are no tips to lie outside of
         change->lost_voxels = 0;
     }

@@ -185,7 +185,8 @@ SF_API sf_brush sf_brush_default(void);
 /** What a call changed, and what of a stroke was kept back or lost. */
 typedef struct sf_sculpt_change {
     sf_box drawn;     /**< box around the voxels of D that this call changed, and around no more
-                           than the stroke's; empty (all zero) where it changed none */
+                           than the stroke changes or did before the call; empty (all zero) where
+                           there are none */
     sf_box printable; /**< the same for T */
     sf_box material;  /**< the same for materials */
     // Of the whole stroke so far (of an undo or redo: of that step), in voxels:
@@ -351,7 +352,8 @@ SF_API SF_CHECKED sf_status sf_sculpt_abandon(sf_sculpt *model, sf_sculpt_change
  * @param brush   the brush
  * @param dabs    where; may be NULL where count is 0
  * @param count   how many
- * @param change  what changed; may be NULL
+ * @param change  what changed; its boxes are those of the three calls together, with what was drawn
+ *                and went again as a ghost; may be NULL
  * @return as sf_sculpt_begin() and sf_sculpt_dab().
  * @cost as these.   @threads one per model.
  * @since 0.1
