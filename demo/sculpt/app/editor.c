@@ -34,11 +34,13 @@ static void frame_all(editor *e)
 }
 
 // A session that begins with what the model is now. Steps that the model could undo before are no
-// part of it, so it is for models that a single step made, or none.
-static sf_session *begin_session(const sf_sculpt *model)
+// part of it, so it is for models that a single step made, or none. The rule is that of another
+// session, box3 where there is none.
+static sf_session *begin_session(const sf_sculpt *model, const sf_session *like)
 {
     sf_sculpt_options o = sf_sculpt_options_of(model);
-    sf_session_options s = sf_session_options_default();
+    sf_session_options s =
+        like != NULL ? sf_session_options_of(like) : sf_session_options_default();
     sf_session *session = NULL;
     s.lattice = o.lattice;
     s.bed_layer = o.bed_layer;
@@ -58,7 +60,7 @@ static sf_session *begin_session(const sf_sculpt *model)
 int editor_replace(editor *e, sf_sculpt *model, sf_session *session)
 {
     sf_grid *base = NULL;
-    sf_session *begun = session == NULL ? begin_session(model) : NULL;
+    sf_session *begun = session == NULL ? begin_session(model, NULL) : NULL;
     if ((session == NULL && begun == NULL) ||
         sf_grid_clone(sf_sculpt_printable(model), NULL, &base) != SF_OK) {
         sf_session_destroy(begun);
@@ -80,6 +82,17 @@ int editor_replace(editor *e, sf_sculpt *model, sf_session *session)
     e->changed = all;
     frame_all(e);
     return 1;
+}
+
+const sf_session *editor_session(editor *e)
+{
+    sf_session *anew = e->is_recorded ? NULL : begin_session(e->model, e->session);
+    if (e->is_recorded || anew == NULL) {
+        return e->is_recorded ? e->session : NULL;
+    }
+    sf_session_destroy(e->session);
+    e->session = anew;
+    return anew;
 }
 
 editor *editor_create(sf_sculpt *model, sf_session *session, uint32_t width, uint32_t height)

@@ -67,6 +67,10 @@ void editor_take(editor *e, const app_event *event);
 // memory: then model and session stay the caller's.
 int editor_replace(editor *e, sf_sculpt *model, sf_session *session);
 
+// A session that makes what the model is: that of all that was done, or, where it could not all be
+// written down, one that begins with the shape. NULL where there is no memory.
+const sf_session *editor_session(editor *e);
+
 // What is drawn beside the shape, the cursor included.
 view_overlays editor_overlays(const editor *e);
 

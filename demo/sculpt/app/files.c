@@ -78,7 +78,7 @@ void app_grant(app *a, const panel_request *request)
         app_open_file(a, request->path);
         return;
     case WISH_SESSION:
-        good = app_save_session(e->session, request->path, e->said);
+        good = app_save_session(editor_session(e), request->path, e->said);
         break;
     case WISH_SHAPE:
         good = app_save_shape(e->model, request->path, e->said);

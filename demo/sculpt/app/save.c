@@ -52,6 +52,10 @@ static int save(const writing *w, const char *path, char why[APP_WHY_SIZE])
 int app_save_session(const sf_session *session, const char *path, char why[APP_WHY_SIZE])
 {
     writing w = {.session = session};
+    if (session == NULL) {
+        snprintf(why, APP_WHY_SIZE, "%s: there is no memory for the session", path);
+        return 0;
+    }
     return save(&w, path, why);
 }
 

@@ -9,6 +9,7 @@
 #include "open.h"
 
 // Each returns 0 where it fails, with a sentence in `why`; then nothing shows under the name.
+// A NULL session is one for which there was no memory.
 int app_save_session(const sf_session *session, const char *path, char why[APP_WHY_SIZE]);
 
 // What is printable: a mesh where the name ends in .stl, .obj or .ply, else a folder with layers.

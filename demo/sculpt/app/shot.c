@@ -174,7 +174,7 @@ static int run(const app_options *o, editor *e)
     if (o->hash) {
         printf("%016" PRIx64 "\n", app_hash(e->model));
     }
-    if (o->save != NULL && !app_save_session(e->session, o->save, why)) {
+    if (o->save != NULL && !app_save_session(editor_session(e), o->save, why)) {
         return complain(NO_RESOURCE, why);
     }
     if (o->shot != NULL || o->bench) {

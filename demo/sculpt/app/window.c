@@ -91,7 +91,7 @@ static int rescue(const app *a)
 {
     char why[APP_WHY_SIZE];
     complain(NO_RESOURCE, "The graphics card was lost.");
-    if (app_save_session(a->editor->session, RESCUE, why)) {
+    if (app_save_session(editor_session(a->editor), RESCUE, why)) {
         fputs("sculpt: what was done is in " RESCUE "; open it with --session.\n", stderr);
     } else {
         complain(NO_RESOURCE, why);
@@ -308,7 +308,7 @@ static int run(app *a)
     glfwSwapInterval(1);
     int status = prepare(a) ? stay(a) : NO_RESOURCE;
     if (status == GOOD && a->options->save != NULL &&
-        !app_save_session(a->editor->session, a->options->save, why)) {
+        !app_save_session(editor_session(a->editor), a->options->save, why)) {
         status = complain(NO_RESOURCE, why);
     }
     release(a);

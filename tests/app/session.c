@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What a person saves is what a person sees, also where there was no memory to write a step down:
+// then the session begins with the shape. It was saved without the step, and nobody was told.
+
+#include "test.h"
+
+#include "app/editor.h"
+
+enum { SIZE = 400 };
+
+static editor *make(void)
+{
+    sf_sculpt_options o = sf_sculpt_options_default();
+    sf_sculpt *model = NULL;
+    o.lattice.nx = o.lattice.ny = o.lattice.nz = 32;
+    CHECK(sf_sculpt_create(&o, NULL, &model) == SF_OK);
+    editor *e = editor_create(model, NULL, SIZE, SIZE);
+    CHECK(e != NULL);
+    return e;
+}
+
+static void stroke_at(editor *e, double x, double y)
+{
+    const app_event down = {EVENT_PRESS, BUTTON_LEFT, 0, x, y, 0, 0, 0};
+    const app_event up = {EVENT_RELEASE, BUTTON_LEFT, 0, x, y, 0, 0, 0};
+    editor_take(e, &down);
+    editor_take(e, &up);
+}
+
+static void check_session(editor *e)
+{
+    sf_sculpt *again = NULL;
+    const sf_session *session = editor_session(e);
+    CHECK(session != NULL);
+    CHECK(sf_session_replay(session, NULL, NULL, &again) == SF_OK);
+    CHECK(sf_grid_equal(sf_sculpt_drawn(again), sf_sculpt_drawn(e->model)));
+    CHECK(memcmp(sf_sculpt_materials(again), sf_sculpt_materials(e->model), 32 * 32 * 32) == 0);
+    sf_sculpt_destroy(again);
+}
+
+static void all_was_recorded(void)
+{
+    editor *e = make();
+    stroke_at(e, 200, 200);
+    CHECK(sf_grid_popcount(sf_sculpt_drawn(e->model)) > 0);
+    CHECK_EQ(sf_session_count(editor_session(e)).strokes, 1);
+    check_session(e);
+    editor_destroy(e);
+}
+
+static void something_was_not(void)
+{
+    editor *e = make();
+    const app_event undo = {EVENT_DO, DO_UNDO, 0, 0, 0, 0, 0, 0};
+    stroke_at(e, 200, 200);
+    e->is_recorded = 0; // as where there was no memory for what follows
+    stroke_at(e, 220, 240);
+    uint64_t voxels = sf_grid_popcount(sf_sculpt_drawn(e->model));
+    check_session(e);
+    editor_take(e, &undo);
+    CHECK(sf_grid_popcount(sf_sculpt_drawn(e->model)) < voxels);
+    check_session(e); // the session that began with the shape has no stroke to undo
+    editor_destroy(e);
+}
+
+int main(void)
+{
+    TEST(all_was_recorded);
+    TEST(something_was_not);
+    return test_finish();
+}
