@@ -132,6 +132,21 @@ else
     grep -q 'a frame of 160x100: [0-9.]* ms' stdout
     ok $? "and frames are timed: $(cat stdout)"
     exits 4 --headless --scene shaun --resolution 96 --shot nowhere/shot.png --size 32x20
+
+    # The twin on the graphics card, told apart from the model by what it is fetched from.
+    exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input input --hash --gpu --shot twin.png
+    same "$(cat stdout)" "$hash" "the graphics card holds the same after all that was recorded"
+    exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input input --shot model.png
+    cmp -s twin.png model.png
+    ok $? "and draws the same"
+    # More undone than the card has seen done, some of it done again, and a stroke upon that.
+    { cat input; printf 'do %d 0 0 0 0 0 0\n' 0 0 0 0 0 0 0 0 1 1 1 1 1 0 0; tail -n 5 input; echo 'do 0 0 0 0 0 0 0'; } >deep
+    exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input deep --hash
+    deep=$(cat stdout)
+    exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input deep --hash --gpu
+    same "$(cat stdout)" "$deep" "also where steps are undone that it has not seen"
+    [ "$deep" != "$hash" ]
+    ok $? "which is another model"
 fi
 
 # The window.
@@ -149,6 +164,9 @@ else
     ok $? "to the same session"
     [ "$(wc -c <window.png)" -gt 20000 ]
     ok $? "and shows it, with its panel"
+    window --scene shaun --resolution 96 --size 800x600 --input input --save second.session --gpu --shot twin.png
+    cmp -s first.session second.session && [ "$(wc -c <twin.png)" -gt 20000 ]
+    ok $? "and so it does where the brushes work on the graphics card: $(cat stderr)"
     cp input tiny
     cat >>tiny <<'END'
 size 0 0 1 1 0 0 0

@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <stdio.h>
 
+#include "card.h"
 #include "editor.h"
 #include "options.h"
 #include "rough.h"
@@ -24,7 +25,8 @@ typedef struct app {
     GLFWwindow *window;
     editor *editor;
     view *view;
-    view_upload *upload;
+    view_upload *upload; // NULL where there is
+    card *twin;          // one of the model on the graphics card
     FILE *record, *play;
     double frame_ms;
     int is_stale; // something happened that may show

@@ -318,6 +318,9 @@ static void clear(editor *e)
     }
     if (sf_sculpt_replace(e->model, NULL, NULL, &c) == SF_OK) {
         editor_note(e, &c);
+        if (e->twin != NULL) {
+            e->twin->replace(e->twin->user);
+        }
         e->is_recorded = e->is_recorded && sf_session_add_shape(e->session, nothing, NULL) == SF_OK;
     }
     sf_grid_destroy(nothing);

@@ -27,11 +27,23 @@ typedef struct editor_brush {
     int plane; // a sketch plane at right angles to: -1 none, 0 x, 1 y, 2 z
 } editor_brush;
 
+// Who does all that the model does as well. Called after the model has done it.
+typedef struct editor_twin {
+    void *user;
+    void (*begin)(void *user, const sf_brush *brush);
+    void (*dab)(void *user, const sf_dab *dabs, size_t count);
+    void (*end)(void *user);
+    void (*give_up)(void *user);
+    void (*step)(void *user, sf_session_step which);
+    void (*replace)(void *user); // the model is another shape now
+} editor_twin;
+
 typedef struct editor {
     sf_sculpt *model;
-    sf_session *session; // of all that was done, what can be undone above all
-    sf_grid *base;       // what was printable when the stroke began: where places are picked
-    sf_tip *tip;         // of the brush; NULL where it must be made anew
+    sf_session *session;     // of all that was done, what can be undone above all
+    const editor_twin *twin; // or NULL
+    sf_grid *base;           // what was printable when the stroke began: where places are picked
+    sf_tip *tip;             // of the brush; NULL where it must be made anew
     editor_brush brush;
     sf_brush_kind kind_under_way; // a held key may make it another than the brush's
     view_camera camera;

@@ -13,19 +13,38 @@ static int ends_with(const char *text, const char *end)
     return a >= b && strcmp(text + a - b, end) == 0;
 }
 
-// Buffers for another model's lattice.
-int app_look_anew(app *a)
+static int make_buffers(app *a, gpu_view *buffers)
 {
     const char *why = NULL;
-    sf_sculpt_options o = sf_sculpt_options_of(a->editor->model);
-    view_upload *upload = view_upload_create(&o.lattice, &why);
+    sf_lattice lattice = sf_sculpt_options_of(a->editor->model).lattice;
+    if (a->options->gpu) {
+        card *twin = card_create(a->editor, a->editor->said);
+        if (twin != NULL) {
+            card_destroy(a->twin);
+            a->twin = twin;
+            *buffers = card_view(twin);
+        }
+        return twin != NULL;
+    }
+    view_upload *upload = view_upload_create(&lattice, &why);
     if (upload == NULL) {
         snprintf(a->editor->said, sizeof a->editor->said, "%s", why);
         return 0;
     }
     view_upload_destroy(a->upload);
     a->upload = upload;
-    gpu_view buffers = view_upload_view(upload);
+    *buffers = view_upload_view(upload);
+    return 1;
+}
+
+// Buffers for another model's lattice.
+int app_look_anew(app *a)
+{
+    gpu_view buffers;
+    sf_sculpt_options o = sf_sculpt_options_of(a->editor->model);
+    if (!make_buffers(a, &buffers)) {
+        return 0;
+    }
     view_look_at(a->view, &buffers, &o.lattice, o.bed_layer);
     return 1;
 }

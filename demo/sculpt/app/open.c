@@ -275,15 +275,20 @@ static uint64_t add_grid(uint64_t hash, const sf_grid *grid)
     return hash;
 }
 
-uint64_t app_hash(const sf_sculpt *model)
+uint64_t app_hash_of(const sf_grid *drawn, const sf_grid *printable, const uint8_t *materials)
 {
-    sf_lattice l = sf_sculpt_options_of(model).lattice;
-    const uint8_t *materials = sf_sculpt_materials(model);
+    sf_lattice l = sf_grid_lattice(drawn);
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    hash = add_grid(hash, sf_sculpt_drawn(model));
-    hash = add_grid(hash, sf_sculpt_printable(model));
+    hash = add_grid(hash, drawn);
+    hash = add_grid(hash, printable);
     for (size_t i = 0; i < (size_t)l.nx * l.ny * l.nz; i++) {
         hash = add(hash, materials[i], 1);
     }
     return hash;
+}
+
+uint64_t app_hash(const sf_sculpt *model)
+{
+    return app_hash_of(sf_sculpt_drawn(model), sf_sculpt_printable(model),
+                       sf_sculpt_materials(model));
 }

@@ -24,4 +24,7 @@ sf_sculpt *app_open(const app_options *options, sf_session **session, char why[A
 // A number for a model: the same for the same bits and materials, and hardly for others.
 uint64_t app_hash(const sf_sculpt *model);
 
+// The same for its parts: two grids of the same counts, and a byte for each voxel.
+uint64_t app_hash_of(const sf_grid *drawn, const sf_grid *printable, const uint8_t *materials);
+
 #endif

@@ -30,6 +30,8 @@ static const char help[] =
     "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
     "  --view AZ,EL       degrees around and above (default -60,25)\n"
     "  --cut MM           show only what lies below that height\n"
+    "  --gpu              brushes on the graphics card as well, and drawn where they lie; with\n"
+    "                     --hash, the number is of what the card holds\n"
     "  --ghosts           keep what is trimmed as a ghost, which comes back where support appears\n"
     "  --overhangs        show what leans on its neighbours\n"
     "  --headless         no window; with --shot, --hash or --bench\n"
@@ -129,25 +131,17 @@ static app_asked check(const app_options *o)
     return why != NULL ? APP_WRONG : APP_GO;
 }
 
-static const struct option table[] = {{"scene", required_argument, NULL, 's'},
-                                      {"resolution", required_argument, NULL, 'r'},
-                                      {"size", required_argument, NULL, 'z'},
-                                      {"view", required_argument, NULL, 'v'},
-                                      {"cut", required_argument, NULL, 'c'},
-                                      {"overhangs", no_argument, NULL, 'g'},
-                                      {"ghosts", no_argument, NULL, 'k'},
-                                      {"replay", required_argument, NULL, 'S'},
-                                      {"headless", no_argument, NULL, 'H'},
-                                      {"shot", required_argument, NULL, 'o'},
-                                      {"hash", no_argument, NULL, 'x'},
-                                      {"bench", no_argument, NULL, 'b'},
-                                      {"input", required_argument, NULL, 'i'},
-                                      {"record", required_argument, NULL, 'R'},
-                                      {"session", required_argument, NULL, 'S'},
-                                      {"save", required_argument, NULL, 'w'},
-                                      {"help", no_argument, NULL, 'h'},
-                                      {"version", no_argument, NULL, 'V'},
-                                      {NULL, 0, NULL, 0}};
+static const struct option table[] = {
+    {"scene", required_argument, NULL, 's'},  {"resolution", required_argument, NULL, 'r'},
+    {"size", required_argument, NULL, 'z'},   {"view", required_argument, NULL, 'v'},
+    {"cut", required_argument, NULL, 'c'},    {"overhangs", no_argument, NULL, 'g'},
+    {"ghosts", no_argument, NULL, 'k'},       {"gpu", no_argument, NULL, 'p'},
+    {"replay", required_argument, NULL, 'S'}, {"headless", no_argument, NULL, 'H'},
+    {"shot", required_argument, NULL, 'o'},   {"hash", no_argument, NULL, 'x'},
+    {"bench", no_argument, NULL, 'b'},        {"input", required_argument, NULL, 'i'},
+    {"record", required_argument, NULL, 'R'}, {"session", required_argument, NULL, 'S'},
+    {"save", required_argument, NULL, 'w'},   {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0}};
 
 app_asked app_options_read(int argc, char **argv, app_options *options)
 {
@@ -172,6 +166,9 @@ app_asked app_options_read(int argc, char **argv, app_options *options)
             break;
         case 'k':
             o.keep_drawn = 1;
+            break;
+        case 'p':
+            o.gpu = 1;
             break;
         case 'x':
             o.hash = 1;

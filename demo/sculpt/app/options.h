@@ -17,6 +17,7 @@ typedef struct app_options {
     int headless;        // no window
     int hash;            // say what the model is, in a number
     int bench;           // time frames
+    int gpu;             // brushes on the graphics card as well
     int keep_drawn;      // what is trimmed stays, as a ghost
     int overhangs;       // show them
     uint32_t resolution;

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "app/card.h"
 #include "app/editor.h"
 #include "app/save.h"
 #include "gl/headless.h"
@@ -119,80 +120,100 @@ static int bench(const app_options *o, view *v, const view_camera *camera,
 // The whole
 // ---------------------------------------------------------------------------------------------
 
-static int draw(const app_options *o, const editor *e)
+// What there is without a window.
+typedef struct studio {
+    gl_headless *gl; // NULL where nothing is drawn
+    editor *editor;
+    card *twin; // NULL without --gpu
+} studio;
+
+static int draw_buffers(const app_options *o, const editor *e, const gpu_view *buffers)
 {
     const char *why = NULL;
     sf_sculpt_options made = sf_sculpt_options_of(e->model);
     view_overlays overlays = editor_overlays(e);
-    view_upload *upload = view_upload_create(&made.lattice, &why);
-    view *v = upload != NULL ? view_create(&why) : NULL;
+    view *v = view_create(&why);
+    if (v == NULL) {
+        return complain(NO_RESOURCE, why);
+    }
+    view_look_at(v, buffers, &made.lattice, made.bed_layer);
+    int status = o->shot != NULL ? shoot(o, v, &e->camera, &overlays) : GOOD;
+    status = status == GOOD && o->bench ? bench(o, v, &e->camera, &overlays) : status;
+    view_destroy(v);
+    return status;
+}
+
+static int draw(const app_options *o, const studio *s)
+{
+    const char *why = "There is no memory.";
+    const sf_sculpt *model = s->editor->model;
+    sf_lattice lattice = sf_sculpt_options_of(model).lattice;
+    if (s->twin != NULL) {
+        gpu_view buffers = card_view(s->twin);
+        return draw_buffers(o, s->editor, &buffers);
+    }
+    view_upload *upload = view_upload_create(&lattice, &why);
     int status = NO_RESOURCE;
-    if (v == NULL ||
-        !view_upload_copy(upload, sf_sculpt_drawn(e->model), sf_sculpt_printable(e->model),
-                          sf_sculpt_materials(e->model), NULL)) {
-        complain(NO_RESOURCE, why != NULL ? why : "There is no memory.");
+    if (upload == NULL ||
+        !view_upload_copy(upload, sf_sculpt_drawn(model), sf_sculpt_printable(model),
+                          sf_sculpt_materials(model), NULL)) {
+        complain(NO_RESOURCE, why);
     } else {
         gpu_view buffers = view_upload_view(upload);
-        view_look_at(v, &buffers, &made.lattice, made.bed_layer);
-        status = o->shot != NULL ? shoot(o, v, &e->camera, &overlays) : GOOD;
-        status = status == GOOD && o->bench ? bench(o, v, &e->camera, &overlays) : status;
+        status = draw_buffers(o, s->editor, &buffers);
     }
-    view_destroy(v);
     view_upload_destroy(upload);
     return status;
 }
 
-// The editor as the command line asks for it.
-static editor *make_editor(const app_options *o, int *status)
-{
-    char why[APP_WHY_SIZE] = "";
-    sf_session *session;
-    sf_sculpt *model = app_open(o, &session, why);
-    if (model == NULL) {
-        *status = complain(WRONG_INPUT, why);
-        return NULL;
-    }
-    editor *e = editor_create(model, session, o->width, o->height);
-    if (e == NULL) {
-        *status = complain(NO_RESOURCE, "There is no memory for the model.");
-        return NULL;
-    }
-    app_set_out(e, o);
-    if (o->input != NULL && !replay(e, o->input)) {
-        *status = WRONG_INPUT;
-        editor_destroy(e);
-        return NULL;
-    }
-    return e;
-}
-
-static int run(const app_options *o, editor *e)
+static int set_up(const app_options *o, studio *s)
 {
     char why[APP_WHY_SIZE] = "";
     const char *no_gl = NULL;
-    int status = GOOD;
-    if (o->hash) {
-        printf("%016" PRIx64 "\n", app_hash(e->model));
+    sf_session *session;
+    if (o->shot != NULL || o->bench || o->gpu) {
+        s->gl = gl_headless_create(&no_gl);
+        if (s->gl == NULL) {
+            return complain(NO_RESOURCE, no_gl);
+        }
     }
-    if (o->save != NULL && !app_save_session(editor_session(e), o->save, why)) {
+    sf_sculpt *model = app_open(o, &session, why);
+    if (model == NULL) {
+        return complain(WRONG_INPUT, why);
+    }
+    s->editor = editor_create(model, session, o->width, o->height);
+    if (s->editor == NULL) {
+        return complain(NO_RESOURCE, "There is no memory for the model.");
+    }
+    app_set_out(s->editor, o);
+    s->twin = o->gpu ? card_create(s->editor, why) : NULL;
+    return o->gpu && s->twin == NULL ? complain(NO_RESOURCE, why) : GOOD;
+}
+
+static int work(const app_options *o, studio *s)
+{
+    char why[APP_WHY_SIZE] = "";
+    if (o->input != NULL && !replay(s->editor, o->input)) {
+        return WRONG_INPUT;
+    }
+    if (o->hash) {
+        printf("%016" PRIx64 "\n",
+               s->twin != NULL ? card_hash(s->twin) : app_hash(s->editor->model));
+    }
+    if (o->save != NULL && !app_save_session(editor_session(s->editor), o->save, why)) {
         return complain(NO_RESOURCE, why);
     }
-    if (o->shot != NULL || o->bench) {
-        gl_headless *gl = gl_headless_create(&no_gl);
-        status = gl != NULL ? draw(o, e) : complain(NO_RESOURCE, no_gl);
-        gl_headless_destroy(gl);
-    }
-    return status;
+    return o->shot != NULL || o->bench ? draw(o, s) : GOOD;
 }
 
 int app_run_headless(const app_options *options)
 {
-    int status = GOOD;
-    editor *e = make_editor(options, &status);
-    if (e != NULL) {
-        status = run(options, e);
-        editor_destroy(e);
-    }
+    studio s = {NULL, NULL, NULL};
+    int status = set_up(options, &s);
+    status = status == GOOD ? work(options, &s) : status;
+    card_destroy(s.twin);
+    editor_destroy(s.editor);
+    gl_headless_destroy(s.gl);
     return status;
 }
 

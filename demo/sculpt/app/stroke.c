@@ -44,6 +44,9 @@ void editor_note(editor *e, const sf_sculpt_change *change)
 
 void editor_record_step(editor *e, sf_session_step step)
 {
+    if (e->twin != NULL) {
+        e->twin->step(e->twin->user, step);
+    }
     e->is_recorded = e->is_recorded && sf_session_add_step(e->session, step) == SF_OK;
 }
 
@@ -127,7 +130,13 @@ static void put(editor *e, const sf_dab *dabs, size_t count)
     if (status != SF_OK) {
         snprintf(e->said, sizeof e->said, "The stroke was given up: %s", sf_status_message(status));
         e->drag = DRAG_NONE;
+        if (e->twin != NULL) {
+            e->twin->give_up(e->twin->user);
+        }
         return;
+    }
+    if (e->twin != NULL) {
+        e->twin->dab(e->twin->user, dabs, count);
     }
     e->is_recorded = keep(e, dabs, count) && e->is_recorded;
     editor_note(e, &change);
@@ -146,6 +155,9 @@ void editor_stroke_begin(editor *e, unsigned mods)
         e->said[0] = '\0';
         const sf_box none = {0, 0, 0, 0, 0, 0};
         e->drag = DRAG_STROKE;
+        if (e->twin != NULL) {
+            e->twin->begin(e->twin->user, &brush);
+        }
         e->touched = none;
         e->last = e->place;
         put(e, &e->place, 1);
@@ -190,6 +202,9 @@ void editor_stroke_end(editor *e)
         return;
     }
     e->drag = DRAG_NONE;
+    if (e->twin != NULL) {
+        e->twin->end(e->twin->user);
+    }
     record(e);
     editor_note(e, &change);
     follow(e, e->touched);
@@ -200,6 +215,9 @@ void editor_stroke_give_up(editor *e)
     sf_sculpt_change change;
     if (e->drag == DRAG_STROKE && sf_sculpt_abandon(e->model, &change) == SF_OK) {
         e->drag = DRAG_NONE;
+        if (e->twin != NULL) {
+            e->twin->give_up(e->twin->user);
+        }
         editor_note(e, &change);
     }
 }

@@ -41,7 +41,8 @@ static void send_changes(app *a)
     if (e->changed.x0 >= e->changed.x1) {
         return;
     }
-    if (view_upload_copy(a->upload, sf_sculpt_drawn(e->model), sf_sculpt_printable(e->model),
+    if (a->twin != NULL ||
+        view_upload_copy(a->upload, sf_sculpt_drawn(e->model), sf_sculpt_printable(e->model),
                          sf_sculpt_materials(e->model), &e->changed)) {
         view_changed(a->view, &e->changed);
         e->changed = none;
@@ -289,6 +290,7 @@ static void release(app *a)
 #endif
     view_destroy(a->view);
     view_upload_destroy(a->upload);
+    card_destroy(a->twin);
 }
 
 // The window with an editor in it.
