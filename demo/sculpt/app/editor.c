@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An editor: events in, strokes, steps and views out.
 //
-// The pointer finds its place on the shape as it was when the stroke began, so that a stroke does
-// not climb on itself; or on the sketch plane; or on the bed. From place to place the brush goes
-// along a digital line. Steps are recorded as they end.
+// At a desk most of them are the desk's; the camera is the editor's everywhere. Steps are recorded
+// as they end.
 
 #include "editor.h"
 
@@ -11,26 +10,45 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "pointer.h"
 #include "stroke.h"
-#include "view/pick.h"
+#include "work.h"
 
 // ---------------------------------------------------------------------------------------------
 // Life
 // ---------------------------------------------------------------------------------------------
 
-static void frame_all(editor *e)
+double editor_aspect(const editor *e)
 {
+    return e->height > 0 ? (double)e->width / e->height : 1;
+}
+
+// Where the shape lies, or the desk's things do; 0 where a desk is empty.
+static int find_bounds(const editor *e, double low[3], double high[3])
+{
+    const desk *d = editor_desk(e);
+    if (d != NULL) {
+        return d->is->bounds(d, low, high);
+    }
     sf_lattice l = sf_sculpt_options_of(e->model).lattice;
     sf_box b = sf_grid_bounds(sf_sculpt_drawn(e->model)), all = {0, 0, 0, l.nx, l.ny, l.nz / 2};
     b = b.x1 > 0 ? b : all;
     const double pitch[3] = {l.pitch_x_mm, l.pitch_y_mm, l.layer_mm};
     const uint32_t from[3] = {b.x0, b.y0, b.z0}, to[3] = {b.x1, b.y1, b.z1};
-    double low[3], high[3], aspect = e->height > 0 ? (double)e->width / e->height : 1;
     for (int i = 0; i < 3; i++) {
         low[i] = l.origin_mm[i] + from[i] * pitch[i];
         high[i] = l.origin_mm[i] + to[i] * pitch[i];
     }
-    e->camera = view_camera_fit(low, high, e->camera.azimuth, e->camera.elevation, aspect);
+    return 1;
+}
+
+void editor_frame_all(editor *e)
+{
+    double low[3], high[3];
+    if (find_bounds(e, low, high)) {
+        e->camera =
+            view_camera_fit(low, high, e->camera.azimuth, e->camera.elevation, editor_aspect(e));
+    }
 }
 
 // A session that begins with what the model is now. Steps that the model could undo before are no
@@ -80,7 +98,7 @@ int editor_replace(editor *e, sf_sculpt *model, sf_session *session)
     sf_lattice l = sf_sculpt_options_of(model).lattice;
     sf_box all = {0, 0, 0, l.nx, l.ny, l.nz};
     e->changed = all;
-    frame_all(e);
+    editor_frame_all(e);
     return 1;
 }
 
@@ -130,116 +148,10 @@ void editor_destroy(editor *e)
         sf_session_destroy(e->session);
         sf_grid_destroy(e->base);
         sf_tip_destroy(e->tip);
+        work_destroy(e);
         free(e->dabs);
         free(e);
     }
-}
-
-// ---------------------------------------------------------------------------------------------
-// The pointer
-// ---------------------------------------------------------------------------------------------
-
-static double aspect_of(const editor *e)
-{
-    return e->height > 0 ? (double)e->width / e->height : 1;
-}
-
-// Where the pointer's ray crosses a plane at right angles to an axis; 0 where it does not.
-static int cross_plane(const view_frame *f, const double way[3], int axis, double at, double to[3])
-{
-    double t = (at - f->eye[axis]) / way[axis];
-    if (!(t > 0) || !isfinite(t)) {
-        return 0;
-    }
-    for (int i = 0; i < 3; i++) {
-        to[i] = f->eye[i] + t * way[i];
-    }
-    return 1;
-}
-
-// The place below the pointer: on a sketch plane, on the shape, or on the bed.
-static void find_place(editor *e)
-{
-    sf_lattice l = sf_sculpt_options_of(e->model).lattice;
-    view_frame f = view_camera_frame(&e->camera, aspect_of(e));
-    double u = e->width > 0 ? 2 * (e->x + 0.5) / e->width - 1 : 0;
-    double v = e->height > 0 ? 1 - 2 * (e->y + 0.5) / e->height : 0, way[3];
-    view_hit hit;
-    for (int i = 0; i < 3; i++) {
-        way[i] = f.forward[i] + u * f.right[i] + v * f.up[i];
-    }
-    double bed = l.origin_mm[2] + sf_sculpt_options_of(e->model).bed_layer * l.layer_mm;
-    if (e->brush.plane >= 0 && e->has_place) {
-        (void)cross_plane(&f, way, e->brush.plane, e->at_mm[e->brush.plane], e->at_mm);
-    } else if (view_pick(e->base, f.eye, way, &hit)) {
-        memcpy(e->at_mm, hit.at_mm, sizeof e->at_mm);
-        e->has_place = 1;
-    } else {
-        e->has_place = cross_plane(&f, way, 2, bed, e->at_mm);
-    }
-    const double pitch[3] = {l.pitch_x_mm, l.pitch_y_mm, l.layer_mm};
-    int32_t *const parts[3] = {&e->place.x, &e->place.y, &e->place.z};
-    for (int i = 0; i < 3 && e->has_place; i++) {
-        double at = floor((e->at_mm[i] - l.origin_mm[i]) / pitch[i]);
-        *parts[i] = (int32_t)fmax(-1e6, fmin(1e6, at));
-    }
-}
-
-static void turn_camera(editor *e, double dx, double dy)
-{
-    double scale = 1.0 / (e->height > 0 ? e->height : 1);
-    if (e->drag == DRAG_ORBIT) {
-        view_camera_orbit(&e->camera, -4 * dx * scale, 4 * dy * scale);
-    } else if (e->drag == DRAG_PAN) {
-        view_camera_pan(&e->camera, 2 * dx * scale / aspect_of(e), -2 * dy * scale, aspect_of(e));
-    } else if (e->drag == DRAG_ZOOM) {
-        view_camera_zoom(&e->camera, exp(3 * dy * scale));
-    }
-}
-
-static void move_pointer(editor *e, const app_event *event)
-{
-    double dx = event->x - e->x, dy = event->y - e->y;
-    e->x = event->x;
-    e->y = event->y;
-    turn_camera(e, dx, dy);
-    find_place(e);
-    if (e->drag == DRAG_STROKE) {
-        editor_stroke_on(e);
-    }
-}
-
-static void press(editor *e, const app_event *event)
-{
-    e->x = event->x;
-    e->y = event->y;
-    find_place(e);
-    if (e->drag != DRAG_NONE) {
-        return;
-    }
-    e->button = event->code;
-    int turns =
-        event->code == BUTTON_RIGHT || (event->code == BUTTON_LEFT && (event->mods & MOD_ALT) != 0);
-    if (turns) {
-        e->drag = (event->mods & MOD_SHIFT) != 0     ? DRAG_PAN
-                  : (event->mods & MOD_CONTROL) != 0 ? DRAG_ZOOM
-                                                     : DRAG_ORBIT;
-    } else if (event->code == BUTTON_MIDDLE) {
-        e->drag = DRAG_PAN;
-    } else if (e->has_place) {
-        editor_stroke_begin(e, event->mods);
-    }
-}
-
-static void release(editor *e, const app_event *event)
-{
-    if (event->code != e->button) {
-        return; // another one, which began nothing
-    }
-    if (e->drag == DRAG_STROKE) {
-        editor_stroke_end(e);
-    }
-    e->drag = DRAG_NONE;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -261,6 +173,10 @@ static void set(editor *e, int setting, double x)
         [SET_CUT] = &o->is_cut};
     if (e->drag == DRAG_STROKE && setting <= SET_PLANE) {
         return; // a stroke has one brush
+    }
+    if (setting >= DESK_BALANCE_FIRST) {
+        work_set(e, setting, x);
+        return;
     }
     switch (setting) {
     case SET_KIND:
@@ -286,6 +202,9 @@ static void set(editor *e, int setting, double x)
         break;
     case SET_CUT_MM:
         o->cut_mm = x;
+        break;
+    case SET_WORK:
+        work_go_to(e, (workspace)to_int(x, 0, WORK_COUNT - 1));
         break;
     default:
         if (setting >= 0 && setting < SETTING_COUNT && flags[setting] != NULL) {
@@ -337,6 +256,9 @@ static void drop_ghosts(editor *e)
 
 static void act(editor *e, int action)
 {
+    if (work_act(e, action)) {
+        return;
+    }
     switch (action) {
     case DO_UNDO:
         step(e, 1);
@@ -345,7 +267,7 @@ static void act(editor *e, int action)
         step(e, 0);
         break;
     case DO_FRAME:
-        frame_all(e);
+        editor_frame_all(e);
         break;
     case DO_CLEAR:
         clear(e);
@@ -357,7 +279,7 @@ static void act(editor *e, int action)
         editor_stroke_give_up(e);
         break;
     case DO_CLOSE:
-        editor_stroke_give_up(e);
+        act(e, DO_GIVE_UP);
         e->wants_close = 1;
         break;
     default:
@@ -375,6 +297,9 @@ static void key(editor *e, int code, unsigned mods)
         } else if (code == 'Y') {
             act(e, DO_REDO);
         }
+        return;
+    }
+    if (code != 'F' && code != 27 && work_key(e, code, mods)) {
         return;
     }
     switch (code) {
@@ -417,10 +342,10 @@ static void key(editor *e, int code, unsigned mods)
 
 static void fly(editor *e, const app_event *event)
 {
-    view_camera_pan(&e->camera, -event->x, -event->y, aspect_of(e));
+    view_camera_pan(&e->camera, -event->x, -event->y, editor_aspect(e));
     view_camera_zoom(&e->camera, exp(-event->z));
     view_camera_orbit(&e->camera, event->a, event->b);
-    find_place(e);
+    pointer_find(e);
 }
 
 void editor_take(editor *e, const app_event *event)
@@ -431,17 +356,17 @@ void editor_take(editor *e, const app_event *event)
         e->height = (uint32_t)to_int(event->y, 0, 16384);
         break;
     case EVENT_MOVE:
-        move_pointer(e, event);
+        pointer_move(e, event);
         break;
     case EVENT_PRESS:
-        press(e, event);
+        pointer_press(e, event);
         break;
     case EVENT_RELEASE:
-        release(e, event);
+        pointer_release(e, event);
         break;
     case EVENT_SCROLL:
         view_camera_zoom(&e->camera, exp(-0.12 * event->y));
-        find_place(e);
+        pointer_find(e);
         break;
     case EVENT_KEY:
         key(e, event->code, event->mods);

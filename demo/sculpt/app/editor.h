@@ -9,12 +9,19 @@
 
 #include <sf/session.h>
 
+#include "desk/desk.h"
 #include "event.h"
 #include "open.h"
 #include "view/view.h"
 
 // What the pointer is doing.
-typedef enum editor_drag { DRAG_NONE, DRAG_STROKE, DRAG_ORBIT, DRAG_PAN, DRAG_ZOOM } editor_drag;
+typedef enum editor_drag {
+    DRAG_NONE,
+    DRAG_STROKE /* or what a desk does with it */,
+    DRAG_ORBIT,
+    DRAG_PAN,
+    DRAG_ZOOM
+} editor_drag;
 
 // The brush in hand. Lengths in mm, so that they mean the same on any lattice.
 typedef struct editor_brush {
@@ -38,7 +45,12 @@ typedef struct editor_twin {
     void (*replace)(void *user); // the model is another shape now
 } editor_twin;
 
+// What is worked at.
+typedef enum workspace { WORK_SCULPT, WORK_BALANCE, WORK_GRADE, WORK_COUNT } workspace;
+
 typedef struct editor {
+    workspace work;
+    desk *desks[WORK_COUNT]; // each made when it is first gone to; sculpting has none
     sf_sculpt *model;
     sf_session *session;     // of all that was done, what can be undone above all
     const editor_twin *twin; // or NULL
@@ -82,6 +94,14 @@ int editor_replace(editor *e, sf_sculpt *model, sf_session *session);
 // A session that makes what the model is: that of all that was done, or, where it could not all be
 // written down, one that begins with the shape. NULL where there is no memory.
 const sf_session *editor_session(editor *e);
+
+// The desk that is worked at; NULL while sculpting.
+desk *editor_desk(const editor *e);
+
+// Show all, from the side that the camera is on.
+void editor_frame_all(editor *e);
+
+double editor_aspect(const editor *e);
 
 // What is drawn beside the shape, the cursor included.
 view_overlays editor_overlays(const editor *e);

@@ -43,6 +43,7 @@ typedef enum app_setting {
     SET_CUT,
     SET_CUT_AXIS,
     SET_CUT_MM,
+    SET_WORK, // the workspace: 0 to sculpt, 1 to balance, 2 to grade
     SETTING_COUNT
 } app_setting;
 
@@ -54,6 +55,7 @@ typedef enum app_action {
     DO_GIVE_UP, // the stroke that is under way
     DO_CLOSE,
     DO_DROP_GHOSTS,
+    DO_STEP, // a piece of what a desk has under way
     ACTION_COUNT
 } app_action;
 

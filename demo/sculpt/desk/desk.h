@@ -8,11 +8,11 @@
 #ifndef SCULPT_DESK_DESK_H
 #define SCULPT_DESK_DESK_H
 
-#include <sf/grid.h>
+#include <sf/voxel.h>
 
 #include "stage/stage.h"
 
-enum { DESK_WHY_SIZE = 512 };
+enum { DESK_WHY_SIZE = 320 };
 
 // Settings and actions that are a desk's own have numbers from these on; those below are the
 // editor's. Of its actions a desk gets DO_UNDO, DO_REDO, DO_CLEAR, DO_GIVE_UP and DO_STEP.

@@ -33,8 +33,8 @@ typedef enum stage_kind {
     STAGE_KIND_COUNT
 } stage_kind;
 
-// A picture in the window's upper left corner beside the panel, drawn pixel for pixel, magnified by
-// a whole number where there is room.
+// A picture in the window's upper right corner, drawn pixel for pixel, magnified by a whole number
+// where there is room.
 typedef struct stage_picture {
     const unsigned char *rgb; // row 0 on top, 3 bytes a pixel; the stage's own copy
     uint32_t width, height;

@@ -9,6 +9,7 @@
 // Screen-Space Ambient Obscurance Algorithm", High-Performance Graphics 2011.
 
 #include "march.glsl"
+#include "light.glsl"
 
 layout(location = 4) uniform vec3 eye; // and what follows: view_frame in voxels
 layout(location = 5) uniform vec3 forward;
@@ -29,7 +30,6 @@ in vec2 place;
 layout(location = 0) out vec4 colour;
 
 const uint IS_CUT = 8u, LEANS = 16u, FACE = 7u;
-const vec3 TO_LIGHT = normalize(vec3(0.45, -0.55, 0.9));
 const vec3 INK_LEANING = vec3(0.95, 0.42, 0.12), INK_GHOST = vec3(0.35, 0.55, 0.95);
 const vec3 INK_CURSOR = vec3(1.0, 0.78, 0.2);
 
@@ -109,26 +109,12 @@ bool is_lit(vec3 at, vec3 normal)
     return shows.w == 0 || march(at + 2.0 * normal + 0.01 * to, to / length(to), false).t < 0.0;
 }
 
-vec3 lit(vec3 ink, vec3 normal, float open, float sun, vec3 view)
-{
-    vec3 n = normalize(normal * pitch.yzx * pitch.zxy); // normals of what is stretched
-    vec3 sky = mix(vec3(0.30, 0.28, 0.27), vec3(0.62, 0.66, 0.72), 0.5 + 0.5 * n.z);
-    float key = max(0.0, dot(n, TO_LIGHT)) * sun, fill = max(0.0, dot(n, -view)) * 0.16;
-    float gloss = pow(max(0.0, dot(n, normalize(TO_LIGHT - view))), 40.0) * 0.10 * sun;
-    return ink * (sky * 0.62 * open + vec3(1.0, 0.97, 0.92) * (0.72 * key) + fill * open) + gloss;
-}
-
 // How much of a line each `every` mm a place has, lines a pixel wide.
 float lines(vec2 at_mm, float every, float pixel_mm)
 {
     vec2 off = abs(fract(at_mm / every + 0.5) - 0.5) * every;
     vec2 near = 1.0 - smoothstep(vec2(0.5 * pixel_mm), vec2(1.5 * pixel_mm), off);
     return max(near.x, near.y);
-}
-
-vec3 background()
-{
-    return mix(vec3(0.80, 0.81, 0.83), vec3(0.93, 0.94, 0.95), 0.5 + 0.5 * place.y);
 }
 
 // The bed, where it is seen from above: *t is how far the ray has come.
@@ -163,7 +149,8 @@ vec3 surface(ivec2 here, ivec2 size, float t, vec3 way, uvec4 k)
     }
     float facing = dot(normal, TO_LIGHT / pitch);
     float sun = facing > 0.0 && is_lit(at, normal) ? 1.0 : 0.0;
-    return lit(ink, normal, openness(here, size, t, at, normal), mix(0.12, 1.0, sun), view);
+    vec3 n = normalize(normal * pitch.yzx * pitch.zxy); // normals of what is stretched
+    return lit(ink, n, openness(here, size, t, at, normal), mix(0.12, 1.0, sun), view);
 }
 
 // The brush: its rim on the surface, its outline around it.
@@ -209,7 +196,7 @@ void main()
     ivec2 here = ivec2(gl_FragCoord.xy), size = textureSize(distances, 0);
     vec2 d = texelFetch(distances, here, 0).xy;
     uvec4 k = texelFetch(kinds, here, 0);
-    vec3 way = way_of(place), ink = background();
+    vec3 way = way_of(place), ink = background(place.y);
     float t = k.w != 0u ? d.x : -1.0;
     if (t >= 0.0) {
         ink = surface(here, size, t, way, k);
@@ -221,5 +208,5 @@ void main()
     }
     ink = with_plane(ink, way, t, size);
     ink = with_cursor(ink, way, t, size);
-    colour = vec4(pow(ink, vec3(1.0 / 1.06)), 1.0);
+    colour = developed(ink);
 }
