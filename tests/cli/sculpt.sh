@@ -74,6 +74,13 @@ hash=$(cat stdout)
 ok $? "input changes the model"
 exits 0 --headless --session first.session --hash
 same "$(cat stdout)" "$hash" "and its session gives the same"
+{ echo 'set 0 0 1 0 0 0 0'; echo 'open first.session'; echo 'open nowhere.stl'; } >opens
+exits 0 --headless --scene pumpkin --resolution 96 --input opens --hash
+same "$(cat stdout)" "$hash" "a file that is opened is an event as well, and one that cannot be changes nothing"
+echo 'open ' >opens
+exits 3 --headless --input opens --hash
+grep -q 'line 1' stderr
+ok $? "an event that opens no file is none: $(cat stderr)"
 # Steps that were there when a session was opened can be undone; the next session knows them too,
 # and so does one after it.
 printf 'do 0 0 0 0 0 0 0\ndo 0 0 0 0 0 0 0\n' >undo

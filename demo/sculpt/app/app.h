@@ -18,6 +18,7 @@
 #ifdef SCULPT_HAVE_SPACE
 #include "space/space.h"
 #endif
+#include "show.h"
 #include "view/upload.h"
 
 typedef struct app {
@@ -27,6 +28,7 @@ typedef struct app {
     view *view;
     view_upload *upload; // NULL where there is
     card *twin;          // one of the model on the graphics card
+    show show;           // of the desks; made when one is first seen
     FILE *record, *play;
     double frame_ms;
     int is_stale; // something happened that may show

@@ -14,6 +14,10 @@
 #include "open.h"
 #include "view/view.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // What the pointer is doing.
 typedef enum editor_drag {
     DRAG_NONE,
@@ -105,5 +109,9 @@ double editor_aspect(const editor *e);
 
 // What is drawn beside the shape, the cursor included.
 view_overlays editor_overlays(const editor *e);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

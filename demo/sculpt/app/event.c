@@ -8,10 +8,14 @@
 #include <string.h>
 
 static const char *const words[EVENT_KIND_COUNT] = {"size", "move", "press", "release", "scroll",
-                                                    "key",  "set",  "do",    "fly"};
+                                                    "key",  "set",  "do",    "fly",     "open"};
 
-void app_event_write(FILE *file, const app_event *event)
+void app_event_write(FILE *file, const app_event *event, const char *path)
 {
+    if (event->kind == EVENT_OPEN) {
+        fprintf(file, "open %s\n", path);
+        return;
+    }
     fprintf(file, "%s %d %u %.17g %.17g %.17g %.17g %.17g\n", words[event->kind], event->code,
             event->mods, event->x, event->y, event->z, event->a, event->b);
 }
@@ -30,19 +34,36 @@ static int are_numbers(const app_event *e)
     return 1;
 }
 
-int app_event_read(FILE *file, app_event *event)
+// The rest of a line that opens a file; 0 where it names none.
+static int read_path(char *line, char path[EVENT_PATH_SIZE])
 {
-    char line[512], word[16];
+    line[strcspn(line, "\r\n")] = '\0';
+    size_t length = strlen(line);
+    if (length == 0 || length >= EVENT_PATH_SIZE) {
+        return 0;
+    }
+    memcpy(path, line, length + 1);
+    return 1;
+}
+
+int app_event_read(FILE *file, app_event *event, char path[EVENT_PATH_SIZE])
+{
+    char line[EVENT_PATH_SIZE + 16], word[16];
     app_event e = {EVENT_SIZE, 0, 0, 0, 0, 0, 0, 0};
     if (fgets(line, sizeof line, file) == NULL) {
         return 0;
+    }
+    if (strncmp(line, "open ", 5) == 0) {
+        e.kind = EVENT_OPEN;
+        *event = e;
+        return read_path(line + 5, path) ? 1 : -1;
     }
     if (sscanf(line, "%15s %d %u %lf %lf %lf %lf %lf", word, &e.code, &e.mods, &e.x, &e.y, &e.z,
                &e.a, &e.b) != 8 ||
         !are_numbers(&e)) {
         return -1;
     }
-    for (int k = 0; k < EVENT_KIND_COUNT; k++) {
+    for (int k = 0; k < EVENT_OPEN; k++) {
         if (strcmp(word, words[k]) == 0) {
             e.kind = (app_event_kind)k;
             *event = e;

@@ -21,8 +21,9 @@ typedef enum app_event_kind {
     EVENT_KEY,    // key `code`, a character of the keyboard: a letter is upper case
     EVENT_SET,    // number `code` of the settings becomes x
     EVENT_DO,     // action `code`
-    EVENT_FLY, // the camera by x, y, z to the right, up and forward, and turns by a, b; shares of
-               // the picture and radians
+    EVENT_FLY,  // the camera by x, y, z to the right, up and forward, and turns by a, b; shares of
+                // the picture and radians
+    EVENT_OPEN, // a file, which is named beside the event
     EVENT_KIND_COUNT
 } app_event_kind;
 
@@ -66,8 +67,11 @@ typedef struct app_event {
     double x, y, z, a, b;
 } app_event;
 
-// Write one as a line of text, or read the next; 0 at the end, -1 for a line that is none.
-void app_event_write(FILE *file, const app_event *event);
-int app_event_read(FILE *file, app_event *event);
+enum { EVENT_PATH_SIZE = 512 };
+
+// Write one as a line of text, or read the next; 0 at the end, -1 for a line that is none. `path`
+// is the file of EVENT_OPEN; other events have none.
+void app_event_write(FILE *file, const app_event *event, const char *path);
+int app_event_read(FILE *file, app_event *event, char path[EVENT_PATH_SIZE]);
 
 #endif

@@ -5,13 +5,8 @@
 #include <string.h>
 
 #include "app.h"
+#include "begin.h"
 #include "save.h"
-
-static int ends_with(const char *text, const char *end)
-{
-    size_t a = strlen(text), b = strlen(end);
-    return a >= b && strcmp(text + a - b, end) == 0;
-}
 
 static int make_buffers(app *a, gpu_view *buffers)
 {
@@ -49,38 +44,35 @@ int app_look_anew(app *a)
     return 1;
 }
 
-// What cannot be opened leaves everything as it is, and says why.
 void app_open_file(app *a, const char *path)
 {
     editor *e = a->editor;
-    if (e->drag == DRAG_STROKE) {
-        return;
+    const app_event event = {EVENT_OPEN, 0, 0, 0, 0, 0, 0, 0};
+    if (a->record != NULL) {
+        app_event_write(a->record, &event, path);
     }
-    sf_session *session = NULL;
-    sf_sculpt *model = ends_with(path, ".session") ? app_open_session(path, &session, e->said)
-                                                   : app_open_mesh(path, a->options, e->said);
-    if (model == NULL) {
-        return;
+    if (app_open_in_place(e, a->options, path) && editor_desk(e) == NULL) {
+        (void)app_look_anew(a);
     }
-    if (!editor_replace(e, model, session)) {
-        sf_sculpt_destroy(model);
-        sf_session_destroy(session);
-        snprintf(e->said, sizeof e->said, "There is no memory for that model.");
-        return;
-    }
-    e->said[0] = '\0';
-    (void)app_look_anew(a);
+    a->is_stale = 1;
 }
 
 #ifdef SCULPT_HAVE_PANEL
+static int shoot(app *a, unsigned char *pixels)
+{
+    const editor *e = a->editor;
+    view_overlays overlays = editor_overlays(e);
+    overlays.has_cursor = overlays.has_plane = 0;
+    return editor_desk(e) != NULL
+               ? show_shot(&a->show, e, e->width, e->height, pixels)
+               : view_shot(a->view, &e->camera, &overlays, e->width, e->height, pixels);
+}
+
 static void save_picture(app *a, const char *path)
 {
     editor *e = a->editor;
-    view_overlays overlays = editor_overlays(e);
     unsigned char *pixels = malloc((size_t)e->width * e->height * 3 + 1);
-    overlays.has_cursor = overlays.has_plane = 0;
-    if (pixels == NULL || e->width == 0 || e->height == 0 ||
-        !view_shot(a->view, &e->camera, &overlays, e->width, e->height, pixels)) {
+    if (pixels == NULL || e->width == 0 || e->height == 0 || !shoot(a, pixels)) {
         snprintf(e->said, sizeof e->said, "There is no memory for the picture.");
     } else if (app_save_picture(pixels, e->width, e->height, path, e->said)) {
         snprintf(e->said, sizeof e->said, "Written to %.200s.", path);
@@ -100,7 +92,8 @@ void app_grant(app *a, const panel_request *request)
         good = app_save_session(editor_session(e), request->path, e->said);
         break;
     case WISH_SHAPE:
-        good = app_save_shape(e->model, request->path, e->said);
+        good = editor_desk(e) != NULL ? app_save_work(e, request->path, e->said)
+                                      : app_save_shape(e->model, request->path, e->said);
         break;
     case WISH_PICTURE:
         save_picture(a, request->path);

@@ -7,7 +7,7 @@ void app_take(void *user, const app_event *event)
 {
     app *a = user;
     if (a->record != NULL) {
-        app_event_write(a->record, event);
+        app_event_write(a->record, event, NULL);
     }
     editor_take(a->editor, event);
     a->is_stale = 1;

@@ -11,6 +11,8 @@
 
 #include <sf/base.h>
 
+#include "work.h"
+
 #define DEGREE (3.14159265358979323846 / 180)
 
 static const char help[] =
@@ -21,11 +23,12 @@ static const char help[] =
     "Opens a window on an empty bed, a mesh (STL, OBJ, PLY, OFF) or a scene. The shape prints\n"
     "without supports after every stroke.\n"
     "\n"
+    "  --workspace NAME   begin in a workspace: sculpt, balance (a mesh) or grade (a cage)\n"
     "  --scene NAME       begin with a scene: garden, shaun, pumpkin, intertwined\n"
     "  --session FILE     begin with what a session gives (or --replay FILE)\n"
     "  --input FILE       do what was recorded: pointer, keys and settings\n"
     "  --record FILE      record that, from the window\n"
-    "  --save FILE        write the session at the end\n"
+    "  --save FILE        write the session at the end; at another workspace, what it made\n"
     "  --resolution N     voxels along the longest side of the space, 64 to 512 (default 256)\n"
     "  --size WxH         of the window or the picture, in pixels (default 1280x800)\n"
     "  --view AZ,EL       degrees around and above (default -60,25)\n"
@@ -42,6 +45,7 @@ static const char help[] =
     "\n"
     "examples:\n"
     "  sculpt part.stl\n"
+    "  sculpt --workspace balance part.stl\n"
     "  sculpt --headless --scene shaun --shot shaun.png --hash\n"
     "  sculpt --headless --scene shaun --bench --size 1920x1080\n";
 
@@ -64,11 +68,24 @@ static int read_number(const char *text, double least, double most, double *numb
     return end != text && *end == '\0' && *number >= least && *number <= most;
 }
 
+static int find_work(const char *name, int *work)
+{
+    for (int i = 0; i < WORK_COUNT; i++) {
+        if (work_name((workspace)i) != NULL && strcmp(work_name((workspace)i), name) == 0) {
+            *work = i;
+            return 1;
+        }
+    }
+    return 0;
+}
+
 // One option's argument; 0 where it makes no sense.
 static int take(app_options *o, int option, const char *text)
 {
     double a = 0, b = 0;
     switch (option) {
+    case 'W':
+        return find_work(text, &o->work);
     case 's':
         o->scene = text;
         return 1;
@@ -131,17 +148,27 @@ static app_asked check(const app_options *o)
     return why != NULL ? APP_WRONG : APP_GO;
 }
 
-static const struct option table[] = {
-    {"scene", required_argument, NULL, 's'},  {"resolution", required_argument, NULL, 'r'},
-    {"size", required_argument, NULL, 'z'},   {"view", required_argument, NULL, 'v'},
-    {"cut", required_argument, NULL, 'c'},    {"overhangs", no_argument, NULL, 'g'},
-    {"ghosts", no_argument, NULL, 'k'},       {"gpu", no_argument, NULL, 'p'},
-    {"replay", required_argument, NULL, 'S'}, {"headless", no_argument, NULL, 'H'},
-    {"shot", required_argument, NULL, 'o'},   {"hash", no_argument, NULL, 'x'},
-    {"bench", no_argument, NULL, 'b'},        {"input", required_argument, NULL, 'i'},
-    {"record", required_argument, NULL, 'R'}, {"session", required_argument, NULL, 'S'},
-    {"save", required_argument, NULL, 'w'},   {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0}};
+static const struct option table[] = {{"workspace", required_argument, NULL, 'W'},
+                                      {"scene", required_argument, NULL, 's'},
+                                      {"resolution", required_argument, NULL, 'r'},
+                                      {"size", required_argument, NULL, 'z'},
+                                      {"view", required_argument, NULL, 'v'},
+                                      {"cut", required_argument, NULL, 'c'},
+                                      {"overhangs", no_argument, NULL, 'g'},
+                                      {"ghosts", no_argument, NULL, 'k'},
+                                      {"gpu", no_argument, NULL, 'p'},
+                                      {"replay", required_argument, NULL, 'S'},
+                                      {"headless", no_argument, NULL, 'H'},
+                                      {"shot", required_argument, NULL, 'o'},
+                                      {"hash", no_argument, NULL, 'x'},
+                                      {"bench", no_argument, NULL, 'b'},
+                                      {"input", required_argument, NULL, 'i'},
+                                      {"record", required_argument, NULL, 'R'},
+                                      {"session", required_argument, NULL, 'S'},
+                                      {"save", required_argument, NULL, 'w'},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {"version", no_argument, NULL, 'V'},
+                                      {NULL, 0, NULL, 0}};
 
 app_asked app_options_read(int argc, char **argv, app_options *options)
 {

@@ -7,13 +7,14 @@
 #include <stdint.h>
 
 typedef struct app_options {
-    const char *file;    // a mesh to begin with, or NULL
+    int work;            // the workspace to begin in
+    const char *file;    // a mesh to begin with, or what its desk opens, or NULL
     const char *scene;   // a scene to begin with, or NULL
     const char *shot;    // a picture to write, or NULL
     const char *input;   // events to replay, or NULL
     const char *record;  // where to write events, or NULL
     const char *session; // a session to begin with, or NULL
-    const char *save;    // where to write the session at the end, or NULL
+    const char *save;    // where to write the session, or what the desk has, at the end; or NULL
     int headless;        // no window
     int hash;            // say what the model is, in a number
     int bench;           // time frames

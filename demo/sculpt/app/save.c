@@ -100,3 +100,9 @@ int app_save_shape(const sf_sculpt *model, const char *path, char why[APP_WHY_SI
     sf_mesh_destroy(mesh);
     return good;
 }
+
+int app_save_work(editor *e, const char *path, char why[APP_WHY_SIZE])
+{
+    const desk *d = editor_desk(e);
+    return d != NULL ? d->is->save(d, path, why) : app_save_session(editor_session(e), path, why);
+}

@@ -6,7 +6,7 @@
 
 #include <sf/session.h>
 
-#include "open.h"
+#include "editor.h"
 
 // Each returns 0 where it fails, with a sentence in `why`; then nothing shows under the name.
 // A NULL session is one for which there was no memory.
@@ -14,6 +14,9 @@ int app_save_session(const sf_session *session, const char *path, char why[APP_W
 
 // What is printable: a mesh where the name ends in .stl, .obj or .ply, else a folder with layers.
 int app_save_shape(const sf_sculpt *model, const char *path, char why[APP_WHY_SIZE]);
+
+// What is worked at: the session of the strokes, or what the desk saves.
+int app_save_work(editor *e, const char *path, char why[APP_WHY_SIZE]);
 
 // Pixels of 3 bytes, row 0 on top, as PNG.
 int app_save_picture(const unsigned char *pixels, uint32_t width, uint32_t height, const char *path,

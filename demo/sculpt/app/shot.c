@@ -11,9 +11,11 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "app/begin.h"
 #include "app/card.h"
 #include "app/editor.h"
 #include "app/save.h"
+#include "app/show.h"
 #include "gl/headless.h"
 #include "view/upload.h"
 #include "view/view.h"
@@ -28,15 +30,19 @@ static int complain(int status, const char *why)
 }
 
 // Do what was recorded.
-static int replay(editor *e, const char *path)
+static int replay(const app_options *o, editor *e)
 {
+    char opened[EVENT_PATH_SIZE];
+    const char *path = o->input;
     FILE *file = fopen(path, "r");
     app_event event;
     int more = file != NULL ? 1 : -1, line = 0;
     while (more > 0) {
-        more = app_event_read(file, &event);
+        more = app_event_read(file, &event, opened);
         line++;
-        if (more > 0) {
+        if (more > 0 && event.kind == EVENT_OPEN) {
+            (void)app_open_in_place(e, o, opened);
+        } else if (more > 0) {
             editor_take(e, &event);
         }
     }
@@ -55,21 +61,27 @@ static int replay(editor *e, const char *path)
 // Pictures
 // ---------------------------------------------------------------------------------------------
 
-static int shoot(const app_options *o, view *v, const view_camera *camera,
-                 const view_overlays *overlays)
+// Who draws: the view of a shape, or the show of a desk.
+typedef struct drawer {
+    view *view;
+    show *show;
+    const editor *editor;
+    view_overlays overlays;
+} drawer;
+
+static int shoot(const app_options *o, const drawer *d)
 {
+    char why[APP_WHY_SIZE] = "There is no memory for a picture of that size.";
     unsigned char *pixels = malloc((size_t)o->width * o->height * 3);
-    int status = NO_RESOURCE;
-    if (pixels == NULL || !view_shot(v, camera, overlays, o->width, o->height, pixels)) {
-        complain(NO_RESOURCE, "There is no memory for a picture of that size.");
-    } else {
-        char why[APP_WHY_SIZE];
-        status = app_save_picture(pixels, o->width, o->height, o->shot, why)
-                     ? GOOD
-                     : complain(NO_RESOURCE, why);
+    int good = pixels != NULL;
+    if (good && d->show != NULL) {
+        good = show_shot(d->show, d->editor, o->width, o->height, pixels);
+    } else if (good) {
+        good = view_shot(d->view, &d->editor->camera, &d->overlays, o->width, o->height, pixels);
     }
+    good = good && app_save_picture(pixels, o->width, o->height, o->shot, why);
     free(pixels);
-    return status;
+    return good ? GOOD : complain(NO_RESOURCE, why);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -89,8 +101,14 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static int bench(const app_options *o, view *v, const view_camera *camera,
-                 const view_overlays *overlays)
+static int draw_frame(const app_options *o, const drawer *d, GLuint framebuffer)
+{
+    return d->show != NULL ? show_draw(d->show, d->editor, framebuffer, o->width, o->height)
+                           : view_draw(d->view, &d->editor->camera, &d->overlays, framebuffer,
+                                       o->width, o->height);
+}
+
+static int bench(const app_options *o, const drawer *d)
 {
     GLuint framebuffer = 0, target = 0;
     double times[FRAMES];
@@ -101,7 +119,7 @@ static int bench(const app_options *o, view *v, const view_camera *camera,
     glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, target, 0);
     for (int i = 0; good && i < FRAMES; i++) {
         double start = now_ms();
-        good = view_draw(v, camera, overlays, framebuffer, o->width, o->height);
+        good = draw_frame(o, d, framebuffer);
         glFinish();
         times[i] = now_ms() - start;
     }
@@ -127,19 +145,34 @@ typedef struct studio {
     card *twin; // NULL without --gpu
 } studio;
 
+static int draw_by(const app_options *o, const drawer *d)
+{
+    int status = o->shot != NULL ? shoot(o, d) : GOOD;
+    return status == GOOD && o->bench ? bench(o, d) : status;
+}
+
 static int draw_buffers(const app_options *o, const editor *e, const gpu_view *buffers)
 {
     const char *why = NULL;
     sf_sculpt_options made = sf_sculpt_options_of(e->model);
-    view_overlays overlays = editor_overlays(e);
     view *v = view_create(&why);
     if (v == NULL) {
         return complain(NO_RESOURCE, why);
     }
     view_look_at(v, buffers, &made.lattice, made.bed_layer);
-    int status = o->shot != NULL ? shoot(o, v, &e->camera, &overlays) : GOOD;
-    status = status == GOOD && o->bench ? bench(o, v, &e->camera, &overlays) : status;
+    const drawer d = {v, NULL, e, editor_overlays(e)};
+    int status = draw_by(o, &d);
     view_destroy(v);
+    return status;
+}
+
+static int draw_desk(const app_options *o, const editor *e)
+{
+    const char *why = NULL;
+    show made = {NULL, NULL};
+    const drawer d = {NULL, &made, e, editor_overlays(e)};
+    int status = show_make(&made, &why) ? draw_by(o, &d) : complain(NO_RESOURCE, why);
+    show_release(&made);
     return status;
 }
 
@@ -148,6 +181,9 @@ static int draw(const app_options *o, const studio *s)
     const char *why = "There is no memory.";
     const sf_sculpt *model = s->editor->model;
     sf_lattice lattice = sf_sculpt_options_of(model).lattice;
+    if (editor_desk(s->editor) != NULL) {
+        return draw_desk(o, s->editor);
+    }
     if (s->twin != NULL) {
         gpu_view buffers = card_view(s->twin);
         return draw_buffers(o, s->editor, &buffers);
@@ -170,37 +206,34 @@ static int set_up(const app_options *o, studio *s)
 {
     char why[APP_WHY_SIZE] = "";
     const char *no_gl = NULL;
-    sf_session *session;
+    int status = GOOD;
     if (o->shot != NULL || o->bench || o->gpu) {
         s->gl = gl_headless_create(&no_gl);
         if (s->gl == NULL) {
             return complain(NO_RESOURCE, no_gl);
         }
     }
-    sf_sculpt *model = app_open(o, &session, why);
-    if (model == NULL) {
-        return complain(WRONG_INPUT, why);
-    }
-    s->editor = editor_create(model, session, o->width, o->height);
+    s->editor = app_begin(o, &status);
     if (s->editor == NULL) {
-        return complain(NO_RESOURCE, "There is no memory for the model.");
+        return status;
     }
-    app_set_out(s->editor, o);
     s->twin = o->gpu ? card_create(s->editor, why) : NULL;
     return o->gpu && s->twin == NULL ? complain(NO_RESOURCE, why) : GOOD;
 }
 
-static int work(const app_options *o, studio *s)
+static int do_all(const app_options *o, studio *s)
 {
     char why[APP_WHY_SIZE] = "";
-    if (o->input != NULL && !replay(s->editor, o->input)) {
+    if (o->input != NULL && !replay(o, s->editor)) {
         return WRONG_INPUT;
     }
     if (o->hash) {
-        printf("%016" PRIx64 "\n",
-               s->twin != NULL ? card_hash(s->twin) : app_hash(s->editor->model));
+        const desk *d = editor_desk(s->editor);
+        printf("%016" PRIx64 "\n", d != NULL         ? d->is->hash(d)
+                                   : s->twin != NULL ? card_hash(s->twin)
+                                                     : app_hash(s->editor->model));
     }
-    if (o->save != NULL && !app_save_session(editor_session(s->editor), o->save, why)) {
+    if (o->save != NULL && !app_save_work(s->editor, o->save, why)) {
         return complain(NO_RESOURCE, why);
     }
     return o->shot != NULL || o->bench ? draw(o, s) : GOOD;
@@ -210,21 +243,9 @@ int app_run_headless(const app_options *options)
 {
     studio s = {NULL, NULL, NULL};
     int status = set_up(options, &s);
-    status = status == GOOD ? work(options, &s) : status;
+    status = status == GOOD ? do_all(options, &s) : status;
     card_destroy(s.twin);
     editor_destroy(s.editor);
     gl_headless_destroy(s.gl);
     return status;
-}
-
-void app_set_out(editor *e, const app_options *options)
-{
-    e->camera.azimuth = options->azimuth;
-    e->camera.elevation = options->elevation;
-    const app_event frame = {EVENT_DO, DO_FRAME, 0, 0, 0, 0, 0, 0};
-    editor_take(e, &frame);
-    e->overlays.overhangs = options->overhangs;
-    e->overlays.is_cut = options->is_cut;
-    e->overlays.cut_axis = 2;
-    e->overlays.cut_mm = options->is_cut ? options->cut_mm : e->overlays.cut_mm;
 }

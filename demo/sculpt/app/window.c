@@ -14,13 +14,14 @@
 #include <string.h>
 
 #include "app.h"
+#include "begin.h"
 #ifdef SCULPT_HAVE_SPACE
 #include "fly.h"
 #endif
 #include "save.h"
-#include "shot.h"
+#include "work.h"
 
-enum { GOOD = 0, WRONG_INPUT = 3, NO_RESOURCE = 4 };
+enum { GOOD = 0, NO_RESOURCE = 4 };
 
 #define RESCUE "sculpt-rescued.session"
 
@@ -66,12 +67,24 @@ static int draw_shape(app *a, int may_be_rough)
     return good;
 }
 
+static int draw_desk(app *a)
+{
+    const char *why = NULL;
+    editor *e = a->editor;
+    a->is_rough = 0;
+    if (a->show.view == NULL && !show_make(&a->show, &why)) {
+        show_release(&a->show);
+        return 0;
+    }
+    return show_draw(&a->show, e, 0, e->width, e->height);
+}
+
 static void draw(app *a, int may_be_rough)
 {
     editor *e = a->editor;
     double start = glfwGetTime();
     send_changes(a);
-    if (!draw_shape(a, may_be_rough)) {
+    if (!(editor_desk(e) != NULL ? draw_desk(a) : draw_shape(a, may_be_rough))) {
         snprintf(e->said, sizeof e->said, "There is no memory for a picture of that size.");
     }
 #ifdef SCULPT_HAVE_PANEL
@@ -103,8 +116,9 @@ static int rescue(const app *a)
 // The next event of what is played, one a frame; 0 when there is none left.
 static int play_on(app *a)
 {
+    char path[EVENT_PATH_SIZE];
     app_event event;
-    int more = a->play != NULL ? app_event_read(a->play, &event) : 0;
+    int more = a->play != NULL ? app_event_read(a->play, &event, path) : 0;
     if (more < 0) {
         snprintf(a->editor->said, sizeof a->editor->said, "%.200s: a line is no event.",
                  a->options->input);
@@ -113,7 +127,9 @@ static int play_on(app *a)
         glfwSetWindowSize(a->window, event.x > 1 ? (int)event.x : 1,
                           event.y > 1 ? (int)event.y : 1);
     }
-    if (more > 0) {
+    if (more > 0 && event.kind == EVENT_OPEN) {
+        app_open_file(a, path);
+    } else if (more > 0) {
         app_take(a, &event);
     }
     return more > 0;
@@ -140,6 +156,17 @@ static int shoot(app *a)
     int good = app_save_picture(pixels, w, h, a->options->shot, why);
     free(pixels);
     return good ? GOOD : complain(NO_RESOURCE, why);
+}
+
+// A piece of what the desk has under way. What is played has its own pieces in it.
+static int step_on(app *a)
+{
+    const app_event step = {EVENT_DO, DO_STEP, 0, 0, 0, 0, 0, 0};
+    if (!work_is_busy(a->editor) || a->options->shot != NULL) {
+        return 0;
+    }
+    app_take(a, &step);
+    return 1;
 }
 
 // Hear the SpaceMice. They speak to all programs, so what they say is ours only while the window is
@@ -200,7 +227,8 @@ static int stay(app *a)
         if (!plays && frames_after == 0 && a->options->shot != NULL) {
             return shoot(a);
         }
-        if (plays || a->is_stale || frames_after > 0) {
+        int steps = !plays && step_on(a);
+        if (plays || steps || a->is_stale || frames_after > 0) {
             frames_after = a->is_stale ? 2 : frames_after > 0 ? frames_after - 1 : 0;
             a->is_stale = 0;
             draw(a, 1);
@@ -275,7 +303,6 @@ static int prepare(app *a)
     glfwGetFramebufferSize(a->window, &width, &height);
     app_event size = {EVENT_SIZE, 0, 0, width, height, 0, 0, 0};
     app_take(a, &size);
-    app_set_out(a->editor, a->options);
     return 1;
 }
 
@@ -288,6 +315,7 @@ static void release(app *a)
 #ifdef SCULPT_HAVE_SPACE
     space_destroy(a->space);
 #endif
+    show_release(&a->show);
     view_destroy(a->view);
     view_upload_destroy(a->upload);
     card_destroy(a->twin);
@@ -310,7 +338,7 @@ static int run(app *a)
     glfwSwapInterval(1);
     int status = prepare(a) ? stay(a) : NO_RESOURCE;
     if (status == GOOD && a->options->save != NULL &&
-        !app_save_session(editor_session(a->editor), a->options->save, why)) {
+        !app_save_work(a->editor, a->options->save, why)) {
         status = complain(NO_RESOURCE, why);
     }
     release(a);
@@ -319,29 +347,33 @@ static int run(app *a)
     return status;
 }
 
+static int open_files(app *a)
+{
+    const app_options *o = a->options;
+    a->play = o->input != NULL ? fopen(o->input, "r") : NULL;
+    a->record = o->record != NULL ? fopen(o->record, "w") : NULL;
+    if (o->input != NULL && a->play == NULL) {
+        complain(NO_RESOURCE, "What is to be played cannot be read.");
+        return 0;
+    }
+    if (o->record != NULL && a->record == NULL) {
+        complain(NO_RESOURCE, "The record cannot be written.");
+        return 0;
+    }
+    return 1;
+}
+
 int app_run_window(const app_options *options)
 {
-    char why[APP_WHY_SIZE] = "";
     app a;
     memset(&a, 0, sizeof a);
     a.options = options;
-    sf_session *session;
-    sf_sculpt *model = app_open(options, &session, why);
-    if (model == NULL) {
-        return complain(WRONG_INPUT, why);
+    int status = NO_RESOURCE;
+    a.editor = app_begin(options, &status);
+    if (a.editor == NULL) {
+        return status;
     }
-    a.editor = editor_create(model, session, options->width, options->height);
-    a.play = options->input != NULL ? fopen(options->input, "r") : NULL;
-    a.record = options->record != NULL ? fopen(options->record, "w") : NULL;
-    if (a.editor == NULL || (options->record != NULL && a.record == NULL) ||
-        (options->input != NULL && a.play == NULL)) {
-        editor_destroy(a.editor);
-        return complain(NO_RESOURCE, a.editor == NULL ? "There is no memory for the model."
-                                     : a.play == NULL && options->input != NULL
-                                         ? "What is to be played cannot be read."
-                                         : "The record cannot be written.");
-    }
-    int status = run(&a);
+    status = open_files(&a) ? run(&a) : NO_RESOURCE;
     if (a.play != NULL) {
         fclose(a.play);
     }

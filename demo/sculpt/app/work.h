@@ -6,6 +6,10 @@
 
 #include "editor.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // The names that --workspace takes; NULL for what this build has not.
 const char *work_name(workspace work);
 
@@ -22,5 +26,9 @@ int work_key(editor *e, int code, unsigned mods);
 int work_is_busy(const editor *e);
 
 void work_destroy(editor *e);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

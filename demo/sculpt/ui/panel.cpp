@@ -11,6 +11,9 @@
 #include <cstring>
 #include <new>
 
+#include "app/work.h"
+#include "outlet.h"
+
 struct panel {
     char path[PANEL_PATH_SIZE];
     bool shows_help;
@@ -18,28 +21,9 @@ struct panel {
 
 namespace {
 
-struct outlet {
-    void (*emit)(void *user, const app_event *event);
-    void *user;
-
-    void set(int setting, double x) const
-    {
-        const app_event event = {EVENT_SET, setting, 0, x, 0, 0, 0, 0};
-        emit(user, &event);
-    }
-    void act(int action) const
-    {
-        const app_event event = {EVENT_DO, action, 0, 0, 0, 0, 0, 0};
-        emit(user, &event);
-    }
-};
-
-void flag(const outlet &out, const char *name, int value, int setting)
+bool section(const char *name, bool is_open)
 {
-    bool now = value != 0;
-    if (ImGui::Checkbox(name, &now)) {
-        out.set(setting, now ? 1 : 0);
-    }
+    return ImGui::CollapsingHeader(name, is_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
 void choose_kind(const outlet &out, const editor *e)
@@ -90,18 +74,12 @@ void show_brush(const outlet &out, const editor *e)
     static const char *const shapes[4] = {"sphere", "box", "cylinder", "cone"};
     static const char *const planes[4] = {"on the shape", "plane across x", "plane across y",
                                           "level plane"};
-    float radius = static_cast<float>(e->brush.radius_mm);
-    int passes = static_cast<int>(e->brush.passes), shape = e->brush.shape,
-        plane = e->brush.plane + 1;
+    int passes = static_cast<int>(e->brush.passes), plane = e->brush.plane + 1;
     choose_kind(out, e);
     ImGui::Spacing();
     ImGui::PushItemWidth(150);
-    if (ImGui::Combo("shape", &shape, shapes, 4)) {
-        out.set(SET_SHAPE, shape);
-    }
-    if (ImGui::SliderFloat("radius", &radius, 0.2f, 24, "%.1f mm", ImGuiSliderFlags_Logarithmic)) {
-        out.set(SET_RADIUS, static_cast<double>(radius));
-    }
+    out.choose("shape", e->brush.shape, shapes, 4, SET_SHAPE);
+    out.slide("radius", e->brush.radius_mm, 0.2, 24, "%.1f mm", SET_RADIUS, true);
     if (e->brush.kind == SF_BRUSH_SMOOTH_TRIM && ImGui::SliderInt("passes", &passes, 1, 16)) {
         out.set(SET_PASSES, passes);
     }
@@ -110,32 +88,29 @@ void show_brush(const outlet &out, const editor *e)
     }
     ImGui::PopItemWidth();
     choose_material(out, e);
-    flag(out, "mirror x", e->brush.mirror_x, SET_MIRROR_X);
+    out.flag("mirror x", e->brush.mirror_x, SET_MIRROR_X);
     ImGui::SameLine();
-    flag(out, "mirror y", e->brush.mirror_y, SET_MIRROR_Y);
+    out.flag("mirror y", e->brush.mirror_y, SET_MIRROR_Y);
 }
 
 void show_view(const outlet &out, const editor *e)
 {
     const view_overlays &o = e->overlays;
-    float cut = static_cast<float>(o.cut_mm);
     sf_lattice l = sf_sculpt_options_of(e->model).lattice;
-    flag(out, "ground", o.ground, SET_GROUND);
+    out.flag("ground", o.ground, SET_GROUND);
     ImGui::SameLine(120);
-    flag(out, "shadows", o.shadows, SET_SHADOWS);
-    flag(out, "overhangs", o.overhangs, SET_OVERHANGS);
+    out.flag("shadows", o.shadows, SET_SHADOWS);
+    out.flag("overhangs", o.overhangs, SET_OVERHANGS);
     ImGui::SameLine(120);
-    flag(out, "ghosts", o.ghosts, SET_GHOSTS);
-    flag(out, "cut", o.is_cut, SET_CUT);
+    out.flag("ghosts", o.ghosts, SET_GHOSTS);
+    out.flag("cut", o.is_cut, SET_CUT);
     if (o.is_cut) {
         const double low[3] = {l.origin_mm[0], l.origin_mm[1], l.origin_mm[2]};
         const double size[3] = {l.nx * l.pitch_x_mm, l.ny * l.pitch_y_mm, l.nz * l.layer_mm};
         ImGui::SameLine(60);
         ImGui::PushItemWidth(140);
-        if (ImGui::SliderFloat("##cut", &cut, static_cast<float>(low[o.cut_axis]),
-                               static_cast<float>(low[o.cut_axis] + size[o.cut_axis]), "%.1f mm")) {
-            out.set(SET_CUT_MM, static_cast<double>(cut));
-        }
+        out.slide("##cut", o.cut_mm, low[o.cut_axis], low[o.cut_axis] + size[o.cut_axis], "%.1f mm",
+                  SET_CUT_MM);
         ImGui::PopItemWidth();
         ImGui::SameLine();
         if (ImGui::SmallButton(o.cut_axis == 0 ? "x" : o.cut_axis == 1 ? "y" : "z")) {
@@ -168,6 +143,24 @@ void show_history(const outlet &out, const editor *e)
     ImGui::TextDisabled("%zu steps, %.1f MB", h.undo_count, static_cast<double>(h.size) / 1e6);
 }
 
+// The workspaces that this build has; nothing where there is one.
+void show_works(const outlet &out, const editor *e)
+{
+    static const char *const names[WORK_COUNT] = {"sculpt", "balance", "grade"};
+    for (int i = 0; i < WORK_COUNT; i++) {
+        if (work_name(static_cast<workspace>(i)) == nullptr) {
+            continue;
+        }
+        if (i > 0) {
+            ImGui::SameLine();
+        }
+        if (ImGui::RadioButton(names[i], e->work == i)) {
+            out.set(SET_WORK, i);
+        }
+    }
+    ImGui::Separator();
+}
+
 void show_files(panel *p, panel_request *request)
 {
     ImGui::PushItemWidth(-1);
@@ -195,7 +188,7 @@ void show_files(panel *p, panel_request *request)
     }
 }
 
-void show_state(const editor *e, double frame_ms)
+void show_state(const editor *e)
 {
     const sf_sculpt_change &c = e->change;
     ImGui::TextDisabled("+%llu  -%llu  fell %llu  kept %llu",
@@ -206,11 +199,51 @@ void show_state(const editor *e, double frame_ms)
     if (e->has_place) {
         ImGui::TextDisabled("%.1f  %.1f  %.1f mm", e->at_mm[0], e->at_mm[1], e->at_mm[2]);
     }
-    ImGui::TextDisabled("frame %.1f ms", frame_ms);
-    if (e->said[0] != '\0') {
+}
+
+void say(const char *said)
+{
+    if (said[0] != '\0') {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.55f, 0.35f, 1));
-        ImGui::TextWrapped("%s", e->said);
+        ImGui::TextWrapped("%s", said);
         ImGui::PopStyleColor();
+    }
+}
+
+void show_sculpting(const outlet &out, const editor *e)
+{
+    if (section("Brush", true)) {
+        show_brush(out, e);
+    }
+    if (section("View", true)) {
+        show_view(out, e);
+    }
+    if (section("History", true)) {
+        show_history(out, e);
+    }
+}
+
+// The workspace's own part of the panel.
+void show_work(const outlet &out, const editor *e)
+{
+    const desk *d = editor_desk(e);
+    (void)d;
+    switch (e->work) {
+    default:
+        show_sculpting(out, e);
+    }
+}
+
+void show_bottom(const editor *e, double frame_ms)
+{
+    ImGui::Separator();
+    if (editor_desk(e) == nullptr) {
+        show_state(e);
+    }
+    ImGui::TextDisabled("frame %.1f ms", frame_ms);
+    say(e->said);
+    if (editor_desk(e) != nullptr) {
+        say(editor_desk(e)->said);
     }
 }
 
@@ -235,11 +268,7 @@ void show_help()
         {"F", "show all"},
         {"control + Z", "undo; with shift, redo"},
         {"escape", "give up the stroke"}};
-    for (const auto &line : lines) {
-        ImGui::TextUnformatted(line[0]);
-        ImGui::SameLine(150);
-        ImGui::TextDisabled("%s", line[1]);
-    }
+    show_pairs(lines, static_cast<int>(sizeof lines / sizeof *lines));
 }
 
 void style(float scale)
@@ -258,11 +287,6 @@ void style(float scale)
     s.ScaleAllSizes(scale);
     ImGui::GetIO().FontGlobalScale = scale;
     ImGui::GetIO().IniFilename = nullptr;
-}
-
-bool section(const char *name, bool is_open)
-{
-    return ImGui::CollapsingHeader(name, is_open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
 } // namespace
@@ -305,23 +329,15 @@ extern "C" void panel_draw(panel *p, const editor *e, double frame_ms,
     ImGui::SetNextWindowPos(ImVec2(12, 12), ImGuiCond_Once);
     ImGui::SetNextWindowSize(ImVec2(292, 0), ImGuiCond_Once);
     if (ImGui::Begin("libsf sculpt", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (section("Brush", true)) {
-            show_brush(out, e);
-        }
-        if (section("View", true)) {
-            show_view(out, e);
-        }
-        if (section("History", true)) {
-            show_history(out, e);
-        }
+        show_works(out, e);
+        show_work(out, e);
         if (section("Files", false)) {
             show_files(p, request);
         }
         if (section("Keys", false)) {
             show_help();
         }
-        ImGui::Separator();
-        show_state(e, frame_ms);
+        show_bottom(e, frame_ms);
     }
     ImGui::End();
     ImGui::Render();
