@@ -270,6 +270,10 @@ static void say_price(const cli_job *job, const model *m)
                  describe_mm3(done->carved_mm3, volume), m->wall_min_mm);
     }
     if (m->moved_mm > STILL * m->size_mm) {
+        if (m->options.carve && !isfinite(m->wall_min_mm)) {
+            snprintf(inside, sizeof inside, "nothing left to carve within walls of %.4g mm",
+                     m->options.wall_mm);
+        }
         snprintf(outside, sizeof outside, "moved by at most %.4g mm (%.3g %% of its size)",
                  m->moved_mm, 100 * m->moved_mm / m->size_mm);
     }

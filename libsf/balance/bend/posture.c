@@ -44,10 +44,15 @@ enum { CRUSHED_ROWS = 48 };
 
 // --- Memory --------------------------------------------------------------------------------------
 
+static size_t places_of(const sfi_posture *posture, int which)
+{
+    return posture->stretches[which] != NULL ? posture->stretches[which]->place_count : 0;
+}
+
 static sf_status take_numbers(const sfi_posture *posture, sfi_posture_scratch *made)
 {
     size_t handles = posture->energy->handle_count, rows, all;
-    made->place_count = posture->stretch != NULL ? posture->stretch->place_count : 0;
+    made->place_count = places_of(posture, 0) + places_of(posture, 1);
     made->row_capacity =
         posture->safe_count + CELLS * CELLS * posture->standing_count + CRUSHED_ROWS;
     if (!sfi_size_mul(handles, 12, &rows) || !sfi_size_add(rows, 1, &rows) ||
@@ -228,9 +233,11 @@ static void add_ground(const sfi_posture *posture, size_t g, sfi_posture_scratch
 // Rows for the places where volume grows least, the worst first.
 static void add_crushed(const sfi_posture *posture, sfi_posture_scratch *scratch, double *crushed)
 {
-    const sfi_stretch *stretch = posture->stretch;
+    size_t first = places_of(posture, 0);
     for (size_t i = 0; i < scratch->place_count; i++) {
-        scratch->growth[i] = sfi_stretch_at(stretch, i, scratch->coefficients);
+        int which = i >= first;
+        scratch->growth[i] =
+            sfi_stretch_at(posture->stretches[which], which ? i - first : i, scratch->coefficients);
     }
     for (int row = 0; row < CRUSHED_ROWS && scratch->place_count > 0; row++) {
         size_t worst = 0;
@@ -243,8 +250,9 @@ static void add_crushed(const sfi_posture *posture, sfi_posture_scratch *scratch
             return;
         }
         scratch->growth[worst] = NARROW;
-        sfi_stretch_gradient(stretch, worst, scratch->coefficients,
-                             new_row(posture, &scratch->rows, value));
+        int which = worst >= first;
+        sfi_stretch_gradient(posture->stretches[which], which ? worst - first : worst,
+                             scratch->coefficients, new_row(posture, &scratch->rows, value));
     }
 }
 

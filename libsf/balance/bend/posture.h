@@ -36,9 +36,9 @@ typedef struct sfi_posture {
     size_t standing_count;
     const uint32_t *held; // of each vertex of the outside: bit i where it may touch ground i
     const uint32_t *foot; // bit i where it must stay above ground i, but may come close; or NULL
-    const sfi_stretch *stretch; // where volume must not shrink too far; or NULL
-    double clearance_mm;        // how far all others must stay above
-    double size_mm;             // of the shape: lengths are measured by it
+    const sfi_stretch *stretches[2]; // where volume must not shrink too far; each may be NULL
+    double clearance_mm;             // how far all others must stay above
+    double size_mm;                  // of the shape: lengths are measured by it
 } sfi_posture;
 
 // What poses make of a shape.
@@ -69,7 +69,7 @@ typedef struct sfi_posture_scratch {
     double *by_body, *by_skin;   // 48 numbers a handle: of the whole body, of one skin
     double *coefficients, *energy, *functions;
     uint32_t *lowest; // vertex of each cell of the ground
-    double *growth;   // of each place of the stretch
+    double *growth;   // of each place of the stretches
     sfi_posture_rows rows;
     size_t vertex_counts[SFI_SKINS_MAX], memory_count, row_capacity, place_count;
     sf_allocator allocator;

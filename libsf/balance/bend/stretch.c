@@ -57,22 +57,48 @@ static sf_status sample(const sf_weights *weights, const sf_grid *solid, size_t 
     return SF_OK;
 }
 
-sf_status sfi_stretch_make(const sf_weights *weights, const sf_grid *solid, size_t most,
-                           const sf_allocator *allocator, sfi_stretch *stretch)
+sf_status sfi_stretch_reserve(size_t handle_count, size_t most, const sf_allocator *allocator,
+                              sfi_stretch *stretch)
 {
-    sfi_stretch made = {NULL, 0, sf_weights_describe(weights).handle_count, 0};
-    size_t solids = (size_t)sf_grid_popcount(solid), step = solids / most + 1;
-    if (!sfi_size_mul(solids / step + 1, made.handle_count, &made.number_count) ||
+    sfi_stretch made = {NULL, 0, handle_count, 0};
+    if (!sfi_size_mul(most, handle_count, &made.number_count) ||
         !sfi_size_mul(made.number_count, 12, &made.number_count)) {
         return SF_ERR_OVERFLOW;
     }
     made.slopes = sfi_alloc_array(allocator, made.number_count, sizeof *made.slopes);
-    double *scratch = sfi_alloc_array(allocator, made.handle_count, 4 * sizeof *scratch);
+    if (made.slopes == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    *stretch = made;
+    return SF_OK;
+}
+
+sf_status sfi_stretch_add(const sf_weights *weights, const sfi_spot *spot, sfi_stretch *stretch)
+{
+    size_t handles = stretch->handle_count, room = 12 * handles;
+    double w[SF_HANDLE_MAX], slope[3 * SF_HANDLE_MAX];
+    if ((stretch->place_count + 1) * room > stretch->number_count) {
+        return SF_ERR_CAPACITY;
+    }
+    sfi_weights_at(weights, spot, w, slope);
+    fill(spot->at, weights->centers, w, slope, handles,
+         stretch->slopes + room * stretch->place_count++);
+    return SF_OK;
+}
+
+sf_status sfi_stretch_make(const sf_weights *weights, const sf_grid *solid, size_t most,
+                           const sf_allocator *allocator, sfi_stretch *stretch)
+{
+    size_t handles = weights->count;
+    size_t solids = (size_t)sf_grid_popcount(solid), step = solids / most + 1;
+    sfi_stretch made;
+    SF_TRY(sfi_stretch_reserve(handles, solids / step + 1, allocator, &made));
+    double *scratch = sfi_alloc_array(allocator, handles, 4 * sizeof *scratch);
     sf_status status = SF_ERR_MEMORY;
-    if (made.slopes != NULL && scratch != NULL) {
+    if (scratch != NULL) {
         status = sample(weights, solid, step, scratch, &made);
     }
-    sfi_free_array(allocator, scratch, made.handle_count, 4 * sizeof *scratch);
+    sfi_free_array(allocator, scratch, handles, 4 * sizeof *scratch);
     if (status != SF_OK) {
         sfi_stretch_free(allocator, &made);
         return status;

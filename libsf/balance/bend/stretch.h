@@ -4,7 +4,7 @@
 #ifndef SF_BALANCE_STRETCH_H
 #define SF_BALANCE_STRETCH_H
 
-#include <sf/weights.h>
+#include "balance/handle/weights.h"
 
 // The derivatives of the basis' functions by x, y, z at each place: 12 numbers a handle.
 typedef struct sfi_stretch {
@@ -15,6 +15,13 @@ typedef struct sfi_stretch {
 // Places in the solid voxels of a grid, `most` at most, evenly by number. SF_ERR_MEMORY.
 sf_status sfi_stretch_make(const sf_weights *weights, const sf_grid *solid, size_t most,
                            const sf_allocator *allocator, sfi_stretch *stretch);
+
+// Room for as many places, none of them taken yet; and take one, at a spot. SF_ERR_MEMORY: the
+// former has failed; SF_ERR_CAPACITY: there is no room left.
+sf_status sfi_stretch_reserve(size_t handle_count, size_t most, const sf_allocator *allocator,
+                              sfi_stretch *stretch);
+sf_status sfi_stretch_add(const sf_weights *weights, const sfi_spot *spot, sfi_stretch *stretch);
+
 void sfi_stretch_free(const sf_allocator *allocator, sfi_stretch *stretch);
 
 // The factor by which volume grows at a place: below 0 the solid is turned inside out there.

@@ -285,6 +285,7 @@ static void free_handles(sf_stand *s)
     sf_grid_destroy(s->base);
     sf_weights_destroy(s->field);
     sfi_stretch_free(a, &s->stretch);
+    sfi_stretch_free(a, &s->watched);
     sfi_energy_free(&s->energy);
 }
 

@@ -66,8 +66,9 @@ struct sf_stand {
     size_t handle_count;
     sf_grid *base; // the voxels that hold still
     sf_weights *field;
-    double *weights; // of the surface's points
-    sfi_stretch stretch;
+    double *weights;     // of the surface's points
+    sfi_stretch stretch; // places spread through the solid
+    sfi_stretch watched; // and those where steps have folded it
     sfi_energy energy;
     double *energy_scratch;
     sfi_descent descent;

@@ -28,6 +28,8 @@
 #define HELD 0.999
 // Places at which bending is watched not to crush the solid.
 enum { PLACES = 4096 };
+// And most of those that are watched beside them, because the shape was folded there.
+enum { WATCHED_MOST = 2048 };
 
 // --- Stances -------------------------------------------------------------------------------------
 
@@ -329,6 +331,8 @@ static sf_status make_field(const sf_handle *handles, sf_task *task, const sf_gr
     SF_TRY(sf_weights_sample(stand->field, stand->surface.points, points, task, stand->weights));
     hold_neighbours(stand);
     mark_feet(stand);
+    SF_TRY(
+        sfi_stretch_reserve(stand->handle_count, WATCHED_MOST, &stand->allocator, &stand->watched));
     return sfi_stretch_make(stand->field, domain, PLACES, &stand->allocator, &stand->stretch);
 }
 

@@ -16,6 +16,7 @@
 
 #include "balance/stand/stand.h"
 
+#include "balance/blend/blend_fold.h"
 #include "base/memory.h"
 #include "base/status.h"
 #include "base/task.h"
@@ -28,6 +29,8 @@
 
 // Steps of the solver in a round; the paper carves after each of its own.
 enum { STEPS = 12, STEPS_OF_DESCENT = 1 };
+// Folded places of a try that the next ones watch.
+enum { FOLDS = 128 };
 // Rounds without a gain after which it ends, once it is safe and before.
 enum { IDLE_SAFE = 2, IDLE_UNSAFE = 8 };
 // A gain: this share of the energy, this much of a margin.
@@ -44,6 +47,7 @@ typedef struct attempt {
     sfi_carved carved;
     sfi_descent descent;
     sfi_record best;
+    sfi_stretch watched; // the stand's own, with as many places as there are now
     uint32_t steps;
     double sunk;
     int remade; // 1: the stances are its own
@@ -55,6 +59,7 @@ static sf_status begin(const sf_stand *s, attempt *a)
     a->descent = s->descent;
     a->best = s->best;
     a->best.poses = NULL;
+    a->watched = s->watched;
     a->bent = sfi_alloc_array(&s->allocator, s->surface.point_count, 3 * sizeof *a->bent);
     if (a->bent == NULL) {
         return SF_ERR_MEMORY;
@@ -112,7 +117,7 @@ static void make_scene(const sf_stand *s, scene *made)
                            .standing_count = s->stance_count,
                            .held = s->held,
                            .foot = s->foot,
-                           .stretch = &s->stretch,
+                           .stretches = {&s->stretch, NULL},
                            .clearance_mm = s->options.clearance_mm,
                            .size_mm = s->size_mm};
     made->posture = posture;
@@ -131,21 +136,28 @@ static sf_status solve(const sf_stand *s, const sfi_posture *posture, uint32_t s
     return SF_OK;
 }
 
-// Steps watch some places of the solid, and may fold it between them: then fewer are taken, then
-// shorter ones, in the end none.
-static sf_status solve_unfolded(const sf_stand *s, const sfi_posture *posture, sf_task *task,
-                                attempt *a)
+// Steps watch some places of the solid, and may fold it between them. Then those that were folded
+// are watched as well, from now on, and the steps taken anew; the last tries are shorter ones.
+// Where all of them fold, nothing moves.
+static sf_status solve_unfolded(const sf_stand *s, sfi_posture *posture, sf_task *task, attempt *a)
 {
     static const struct {
         uint32_t steps;
         double longest;
-    } tries[] = {{STEPS, 0.3}, {6, 0.3}, {3, 0.3}, {3, 0.1}, {3, 0.03}, {3, 0.01}};
+    } tries[] = {{STEPS, 0.3}, {STEPS, 0.3}, {STEPS, 0.3}, {STEPS, 0.3},
+                 {6, 0.3},     {3, 0.3},     {3, 0.1},     {3, 0.03}};
+    posture->stretches[1] = &a->watched;
     for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
         sf_fold fold;
+        sfi_spot spots[FOLDS];
+        size_t count, taken = 0;
         SF_TRY(solve(s, posture, tries[i].steps, tries[i].longest, task, a));
-        SF_TRY(sf_weights_fold(s->field, a->poses, task, &fold));
+        SF_TRY(sfi_weights_folds(s->field, a->poses, task, FOLDS, &fold, spots, &count));
         if (fold.folded == 0 || s->report.folded > 0) {
             return SF_OK;
+        }
+        while (taken < count && sfi_stretch_add(s->field, &spots[taken], &a->watched) == SF_OK) {
+            taken++;
         }
     }
     memcpy(a->poses, s->poses, s->handle_count * sizeof *a->poses);
@@ -304,6 +316,14 @@ static int is_over(const sf_stand *s, const sf_stand_report *r)
            s->best.idle >= (s->best.rank == 2 ? IDLE_SAFE : IDLE_UNSAFE);
 }
 
+// Whether handles stayed where the last round had carved for them: then so would the next.
+static int is_still(const sf_stand *s, const attempt *a)
+{
+    return a->poses != NULL && s->options.solver == SF_STAND_PROGRAMS &&
+           s->report.rounds > s->first_round &&
+           memcmp(a->poses, s->poses, s->handle_count * sizeof *a->poses) == 0;
+}
+
 // The shape and what was made change places; called again, they change back.
 static void change_places(sf_stand *s, attempt *a, sf_stand_report *report)
 {
@@ -313,6 +333,7 @@ static void change_places(sf_stand *s, attempt *a, sf_stand_report *report)
                    .carved = s->carved,
                    .descent = s->descent,
                    .best = s->best,
+                   .watched = s->watched,
                    .remade = a->remade};
     sf_stand_report was = s->report;
     s->poses = a->poses;
@@ -321,6 +342,7 @@ static void change_places(sf_stand *s, attempt *a, sf_stand_report *report)
     s->carved = a->carved;
     s->descent = a->descent;
     s->best = a->best;
+    s->watched = a->watched;
     s->report = *report;
     if (!a->remade) {
         memset(&old.stances, 0, sizeof old.stances);
@@ -401,9 +423,10 @@ static sf_status go_round(sf_stand *s, sf_task *task)
     attempt a;
     sf_stand_report report;
     sf_status status = make_round(s, task, &a, &report);
+    int still = status == SF_OK && is_still(s, &a);
     if (status == SF_OK) {
         change_places(s, &a, &report);
-        if (is_over(s, &s->report)) {
+        if (still || is_over(s, &s->report)) {
             status = finish(s, task);
             s->report.ended = 1;
         }
