@@ -235,7 +235,12 @@ sf_status sf_tip_create_stamp(const uint8_t *heights, size_t row_bytes, uint32_t
         height > EXTENT_MAX || depth_vx < 1 || depth_vx > EXTENT_MAX || row_bytes < width) {
         return SF_ERR_ARGUMENT;
     }
-    sf_lattice lattice = plain_lattice(width, height, depth_vx);
+    uint32_t highest = 1;
+    for (size_t i = 0; i < (size_t)width * height; i++) {
+        uint32_t top = rise(heights[i / width * row_bytes + i % width], depth_vx);
+        highest = top > highest ? top : highest;
+    }
+    sf_lattice lattice = plain_lattice(width, height, highest);
     sf_grid *mask;
     SF_TRY(sf_grid_create(&lattice, allocator, &mask));
     for (uint32_t y = 0; y < height; y++) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a person saves is what a person sees, also where there was no memory to write a step down:
-// then the session begins with the shape. It was saved without the step, and nobody was told.
+// then the session begins with the shape. It was saved without the step, and nobody was told. And
+// what the pointer draws has no gaps.
 
 #include "test.h"
 
@@ -63,8 +64,43 @@ static void something_was_not(void)
     editor_destroy(e);
 }
 
+// A pointer that is moved fast leaves no gap, however long the space.
+static void a_fast_move(void)
+{
+    sf_sculpt_options o = sf_sculpt_options_default();
+    sf_sculpt *model = NULL;
+    o.lattice.nx = 1200;
+    o.lattice.ny = o.lattice.nz = 8;
+    CHECK(sf_sculpt_create(&o, NULL, &model) == SF_OK);
+    editor *e = editor_create(model, NULL, 1200, SIZE);
+    CHECK(e != NULL);
+    const app_event above[2] = {{EVENT_SET, SET_RADIUS, 0, 0.5, 0, 0, 0, 0},
+                                {EVENT_DO, DO_FRAME, 0, 0, 0, 0, 0, 0}};
+    e->camera.azimuth = -1.5707963;
+    editor_take(e, &above[0]);
+    editor_take(e, &above[1]);
+    const app_event moves[3] = {{EVENT_PRESS, BUTTON_LEFT, 0, 150, 200, 0, 0, 0},
+                                {EVENT_MOVE, 0, 0, 1050, 200, 0, 0, 0},
+                                {EVENT_RELEASE, BUTTON_LEFT, 0, 1050, 200, 0, 0, 0}};
+    for (int i = 0; i < 3; i++) {
+        editor_take(e, &moves[i]);
+    }
+    const sf_grid *drawn = sf_sculpt_drawn(e->model);
+    sf_box b = sf_grid_bounds(drawn);
+    CHECK(b.x1 - b.x0 > 600);
+    for (uint32_t x = b.x0; x < b.x1; x++) {
+        int filled = 0;
+        for (uint32_t y = 0; y < 8; y++) {
+            filled = filled || sf_slice_get(sf_grid_slice(drawn, 0), x, y);
+        }
+        CHECK(filled);
+    }
+    editor_destroy(e);
+}
+
 int main(void)
 {
+    TEST(a_fast_move);
     TEST(all_was_recorded);
     TEST(something_was_not);
     return test_finish();

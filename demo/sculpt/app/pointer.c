@@ -9,6 +9,9 @@
 #include "stroke.h"
 #include "view/pick.h"
 
+// Places lie no farther than this beside the space, in voxels, which is farther than brushes reach.
+#define BESIDE 128.0
+
 // Where the pointer's ray crosses a plane at right angles to an axis; 0 where it does not.
 static int cross_plane(const view_frame *f, const double way[3], int axis, double at, double to[3])
 {
@@ -52,9 +55,10 @@ static void find_place(editor *e)
     }
     const double pitch[3] = {l.pitch_x_mm, l.pitch_y_mm, l.layer_mm};
     int32_t *const parts[3] = {&e->place.x, &e->place.y, &e->place.z};
+    const uint32_t counts[3] = {l.nx, l.ny, l.nz};
     for (int i = 0; i < 3 && e->has_place; i++) {
         double at = floor((e->at_mm[i] - l.origin_mm[i]) / pitch[i]);
-        *parts[i] = (int32_t)fmax(-1e6, fmin(1e6, at));
+        *parts[i] = (int32_t)fmax(-BESIDE, fmin(counts[i] + BESIDE, at));
     }
 }
 

@@ -164,22 +164,36 @@ void editor_stroke_begin(editor *e, unsigned mods)
     }
 }
 
+static int32_t part_of(int32_t from, int32_t to, int32_t i, int32_t count)
+{
+    return from + (int32_t)((int64_t)(to - from) * i / count);
+}
+
+static int32_t longest(sf_dab a, sf_dab b)
+{
+    int32_t x = abs(b.x - a.x), y = abs(b.y - a.y), z = abs(b.z - a.z);
+    return x > y ? (x > z ? x : z) : (y > z ? y : z);
+}
+
+// Along a line, in pieces that are no longer than there is room for.
 void editor_stroke_on(editor *e)
 {
     enum { MOST = 512 };
-    sf_dab line[MOST];
-    size_t count;
-    if (!e->has_place ||
-        (e->place.x == e->last.x && e->place.y == e->last.y && e->place.z == e->last.z)) {
+    const sf_dab from = e->last, to = e->place;
+    int32_t pieces = 1 + longest(from, to) / (MOST - 1);
+    if (!e->has_place) {
         return;
     }
-    if (sf_dab_line(e->last, e->place, line, MOST, &count) != SF_OK) {
-        line[0] = e->last; // a jump from one end of the space to beyond the other
-        line[1] = e->place;
-        count = 2;
+    for (int32_t i = 1; i <= pieces && e->drag == DRAG_STROKE; i++) {
+        sf_dab line[MOST],
+            next = {part_of(from.x, to.x, i, pieces), part_of(from.y, to.y, i, pieces),
+                    part_of(from.z, to.z, i, pieces)};
+        size_t count;
+        if (sf_dab_line(e->last, next, line, MOST, &count) == SF_OK && count > 1) {
+            e->last = next;
+            put(e, line + 1, count - 1);
+        }
     }
-    e->last = e->place;
-    put(e, line + 1, count - 1);
 }
 
 // The stroke into the session, with its tip by formula.
