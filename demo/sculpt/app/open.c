@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "desk/mesh_file.h"
 #include "scene.h"
 #include "sculpted.h"
 
@@ -158,23 +159,6 @@ static sf_sculpt *open_scene(const app_options *o, sf_session **session, char wh
 // Meshes
 // ---------------------------------------------------------------------------------------------
 
-static sf_mesh *read_mesh(const char *path, char why[APP_WHY_SIZE])
-{
-    sf_file *file = NULL;
-    sf_mesh *mesh = NULL;
-    sf_fault fault = {SF_OK, 0, 0, ""};
-    sf_status status = sf_file_open(path, NULL, &file, &fault);
-    if (status == SF_OK) {
-        status = sf_mesh_read(sf_file_source(file), sf_mesh_format_from_name(path), NULL, NULL,
-                              &mesh, &fault);
-    }
-    sf_file_close(file);
-    return status == SF_OK
-               ? mesh
-               : fail(why, path,
-                      fault.message[0] != '\0' ? fault.message : sf_status_message(status));
-}
-
 static sf_status draw_mesh(void *user, sf_grid *grid)
 {
     sf_mesh *mesh = user;
@@ -184,7 +168,7 @@ static sf_status draw_mesh(void *user, sf_grid *grid)
 sf_sculpt *app_open_mesh(const char *path, const app_options *o, char why[APP_WHY_SIZE])
 {
     double low[3], high[3], longest = 0;
-    sf_mesh *mesh = read_mesh(path, why);
+    sf_mesh *mesh = mesh_file_read(path, why);
     sf_sculpt *model = NULL;
     if (mesh == NULL) {
         return NULL;

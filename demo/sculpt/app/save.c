@@ -6,11 +6,11 @@
 #include <sf/io.h>
 #include <stdio.h>
 
+#include "desk/mesh_file.h"
+
 // Who writes to a file that is under way.
 typedef struct writing {
     const sf_session *session;
-    sf_mesh_view mesh;
-    sf_mesh_format format;
     const unsigned char *pixels;
     uint32_t width, height;
 } writing;
@@ -29,8 +29,7 @@ static sf_status write_to(const writing *w, sf_sink sink)
     if (w->session != NULL) {
         return sf_session_write(w->session, sink);
     }
-    return w->pixels != NULL ? sf_png_write_rgb(w->pixels, w->width, w->height, sink)
-                             : sf_mesh_write(w->mesh, w->format, sink);
+    return sf_png_write_rgb(w->pixels, w->width, w->height, sink);
 }
 
 static int save(const writing *w, const char *path, char why[APP_WHY_SIZE])
@@ -87,16 +86,14 @@ int app_save_shape(const sf_sculpt *model, const char *path, char why[APP_WHY_SI
 {
     sf_mesh *mesh = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
-    writing w = {.format = sf_mesh_format_from_name(path)};
-    if (w.format == SF_MESH_FORMAT_AUTO) {
+    if (sf_mesh_format_from_name(path) == SF_MESH_FORMAT_AUTO) {
         return save_layers(model, path, why);
     }
     sf_status status = sf_grid_surface(sf_sculpt_printable(model), NULL, NULL, NULL, &mesh);
     if (status != SF_OK) {
         return say(why, path, status, &fault);
     }
-    w.mesh = sf_mesh_get_view(mesh);
-    int good = save(&w, path, why);
+    int good = mesh_file_write(sf_mesh_get_view(mesh), path, why);
     sf_mesh_destroy(mesh);
     return good;
 }

@@ -5,6 +5,8 @@
 
 #include <stdio.h>
 
+#include "balance/balance_desk.h"
+
 typedef struct maker {
     const char *name;
     desk *(*make)(void);
@@ -12,6 +14,7 @@ typedef struct maker {
 
 static const maker makers[WORK_COUNT] = {
     [WORK_SCULPT] = {"sculpt", NULL},
+    [WORK_BALANCE] = {"balance", balance_desk_create},
 };
 
 const char *work_name(workspace work)

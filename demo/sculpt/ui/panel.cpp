@@ -13,6 +13,7 @@
 
 #include "app/work.h"
 #include "outlet.h"
+#include "panel_balance.h"
 
 struct panel {
     char path[PANEL_PATH_SIZE];
@@ -226,9 +227,10 @@ void show_sculpting(const outlet &out, const editor *e)
 // The workspace's own part of the panel.
 void show_work(const outlet &out, const editor *e)
 {
-    const desk *d = editor_desk(e);
-    (void)d;
     switch (e->work) {
+    case WORK_BALANCE:
+        panel_balance(out, editor_desk(e));
+        break;
     default:
         show_sculpting(out, e);
     }
@@ -247,7 +249,7 @@ void show_bottom(const editor *e, double frame_ms)
     }
 }
 
-void show_help()
+void show_sculpting_keys()
 {
     static const char *const lines[][2] = {
         {"left", "brush"},
@@ -269,6 +271,17 @@ void show_help()
         {"control + Z", "undo; with shift, redo"},
         {"escape", "give up the stroke"}};
     show_pairs(lines, static_cast<int>(sizeof lines / sizeof *lines));
+}
+
+void show_keys(const editor *e)
+{
+    switch (e->work) {
+    case WORK_BALANCE:
+        panel_balance_keys();
+        break;
+    default:
+        show_sculpting_keys();
+    }
 }
 
 void style(float scale)
@@ -335,7 +348,7 @@ extern "C" void panel_draw(panel *p, const editor *e, double frame_ms,
             show_files(p, request);
         }
         if (section("Keys", false)) {
-            show_help();
+            show_keys(e);
         }
         show_bottom(e, frame_ms);
     }
