@@ -9,6 +9,7 @@
 #include "grade_picture.h"
 
 #include "ruler.h"
+#include "shade.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,19 +22,11 @@ static const colour ink = {40, 40, 40};
 // Colours
 // ---------------------------------------------------------------------------------------------
 
-// From dark blue over green to yellow: evenly lighter, and told apart by the colour-blind.
 static colour shade(double t, double light)
 {
-    static const double stops[5][3] = {
-        {68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    int i = t >= 1 ? 3 : (int)(4 * t);
-    double f = 4 * t - i, c[3];
-    for (int j = 0; j < 3; j++) {
-        c[j] = light * (stops[i][j] + f * (stops[i + 1][j] - stops[i][j]));
-        c[j] = c[j] > 255 ? 255 : c[j];
-    }
-    colour made = {(uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]};
+    uint8_t c[3];
+    shade_of(t, light, c);
+    const colour made = {c[0], c[1], c[2]};
     return made;
 }
 

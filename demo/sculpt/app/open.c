@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "desk/hash.h"
 #include "desk/mesh_file.h"
 #include "scene.h"
 #include "sculpted.h"
@@ -236,15 +237,6 @@ sf_sculpt *app_open(const app_options *options, sf_session **session, char why[A
 // Hash
 // ---------------------------------------------------------------------------------------------
 
-// G. Fowler, L. C. Noll, K.-P. Vo, FNV-1a of 64 bits.
-static uint64_t add(uint64_t hash, uint64_t number, int bytes)
-{
-    for (int i = 0; i < bytes; i++) {
-        hash = (hash ^ (number >> 8 * i & 255)) * UINT64_C(0x100000001b3);
-    }
-    return hash;
-}
-
 static uint64_t add_grid(uint64_t hash, const sf_grid *grid)
 {
     sf_lattice l = sf_grid_lattice(grid);
@@ -252,7 +244,7 @@ static uint64_t add_grid(uint64_t hash, const sf_grid *grid)
         sf_slice s = sf_grid_slice(grid, z);
         for (uint32_t y = 0; y < l.ny; y++) {
             for (uint32_t i = 0; i < (l.nx + 63) / 64; i++) {
-                hash = add(hash, s.words[(size_t)y * s.stride + i], 8);
+                hash = hash_number(hash, s.words[(size_t)y * s.stride + i], 8);
             }
         }
     }
@@ -262,11 +254,11 @@ static uint64_t add_grid(uint64_t hash, const sf_grid *grid)
 uint64_t app_hash_of(const sf_grid *drawn, const sf_grid *printable, const uint8_t *materials)
 {
     sf_lattice l = sf_grid_lattice(drawn);
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    uint64_t hash = HASH_NONE;
     hash = add_grid(hash, drawn);
     hash = add_grid(hash, printable);
     for (size_t i = 0; i < (size_t)l.nx * l.ny * l.nz; i++) {
-        hash = add(hash, materials[i], 1);
+        hash = hash_number(hash, materials[i], 1);
     }
     return hash;
 }

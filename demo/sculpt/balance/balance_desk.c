@@ -10,6 +10,7 @@
 
 #include "app/event.h"
 #include "balance.h"
+#include "desk/hash.h"
 #include "desk/mesh_file.h"
 
 static double between(double x, double low, double high)
@@ -308,32 +309,22 @@ static int bounds(const desk *d, double low[3], double high[3])
     return sf_mesh_bounds(balance_outer((const balance *)d), low, high) == SF_OK;
 }
 
-// G. Fowler, L. C. Noll, K.-P. Vo, FNV-1a of 64 bits.
-static uint64_t add(uint64_t hash, const void *bytes, size_t size)
-{
-    const unsigned char *at = bytes;
-    for (size_t i = 0; i < size; i++) {
-        hash = (hash ^ at[i]) * UINT64_C(0x100000001b3);
-    }
-    return hash;
-}
-
 static uint64_t hash(const desk *d)
 {
     const balance *b = (const balance *)d;
     const balance_plan *p = &b->state.plan;
-    uint64_t h = UINT64_C(0xcbf29ce484222325);
+    uint64_t h = HASH_NONE;
     const sf_mesh_view meshes[2] = {balance_outer(b), balance_cavity(b)};
     for (int i = 0; i < 2; i++) {
-        h = add(h, meshes[i].vertices, 3 * meshes[i].vertex_count * sizeof(double));
-        h = add(h, meshes[i].triangles, 3 * meshes[i].triangle_count * sizeof(uint32_t));
+        h = hash_add(h, meshes[i].vertices, 3 * meshes[i].vertex_count * sizeof(double));
+        h = hash_add(h, meshes[i].triangles, 3 * meshes[i].triangle_count * sizeof(uint32_t));
     }
     for (size_t i = 0; i < p->handle_count; i++) {
         sf_pose pose = balance_pose_of(b, i);
-        h = add(h, p->handles[i].at_mm, sizeof p->handles[i].at_mm);
-        h = add(h, &pose, sizeof pose);
+        h = hash_add(h, p->handles[i].at_mm, sizeof p->handles[i].at_mm);
+        h = hash_add(h, &pose, sizeof pose);
     }
-    return add(h, b->state.com_mm, sizeof b->state.com_mm);
+    return hash_add(h, b->state.com_mm, sizeof b->state.com_mm);
 }
 
 static void destroy(desk *d)

@@ -7,14 +7,10 @@
 
 #include "app/event.h"
 #include "balance.h"
+#include "desk/ray.h"
 
 // How near a handle the pointer must be, in pixels.
 #define REACH_PX 12.0
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // ---------------------------------------------------------------------------------------------
 // Handles
@@ -28,24 +24,6 @@ void balance_handle_place(const balance *b, size_t handle, double at_mm[3])
     }
 }
 
-// Pixels from the pointer to a place; far where it is behind the eye.
-static double away_px(const desk_pointer *p, const double at[3])
-{
-    double to[3], off[3], depth, along;
-    for (int i = 0; i < 3; i++) {
-        to[i] = at[i] - p->eye_mm[i];
-    }
-    depth = dot(to, p->forward);
-    along = depth / dot(p->along, p->forward);
-    if (!(depth > 0)) {
-        return INFINITY;
-    }
-    for (int i = 0; i < 3; i++) {
-        off[i] = to[i] - along * p->along[i];
-    }
-    return hypot(dot(off, p->right), dot(off, p->up)) / (p->spread * depth);
-}
-
 static int find_handle(const balance *b, const desk_pointer *p)
 {
     int best = -1;
@@ -53,7 +31,7 @@ static int find_handle(const balance *b, const desk_pointer *p)
     for (size_t i = 0; i < b->state.plan.handle_count; i++) {
         double at[3], px;
         balance_handle_place(b, i, at);
-        px = away_px(p, at);
+        px = ray_away_px(p, at);
         if (px < least) {
             least = px;
             best = (int)i;
@@ -62,69 +40,18 @@ static int find_handle(const balance *b, const desk_pointer *p)
     return best;
 }
 
-// Where the ray comes as deep as a place.
-static int at_depth_of(const desk_pointer *p, const double at[3], double found[3])
-{
-    double to[3];
-    for (int i = 0; i < 3; i++) {
-        to[i] = at[i] - p->eye_mm[i];
-    }
-    double t = dot(to, p->forward) / dot(p->along, p->forward);
-    for (int i = 0; i < 3; i++) {
-        found[i] = p->eye_mm[i] + t * p->along[i];
-    }
-    return t > 0 && isfinite(t);
-}
-
 // ---------------------------------------------------------------------------------------------
 // Faces
 // ---------------------------------------------------------------------------------------------
 
-typedef struct hit {
-    double t, at_mm[3], normal[3];
-} hit;
-
-// T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
-static void try_triangle(const desk_pointer *p, const double *a, const double *b, const double *c,
-                         hit *best)
-{
-    double e[3], f[3], n[3], to[3], q[3];
-    for (int i = 0; i < 3; i++) {
-        e[i] = b[i] - a[i];
-        f[i] = c[i] - a[i];
-        to[i] = p->eye_mm[i] - a[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = e[j] * f[k] - e[k] * f[j];
-        q[i] = to[j] * p->along[k] - to[k] * p->along[j];
-    }
-    double det = -dot(p->along, n);
-    if (!(det > 0)) {
-        return; // seen from behind
-    }
-    double u = dot(f, q) / det, v = -dot(e, q) / det, t = dot(to, n) / det;
-    if (u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < best->t) {
-        best->t = t;
-        for (int i = 0; i < 3; i++) {
-            best->at_mm[i] = p->eye_mm[i] + t * p->along[i];
-            best->normal[i] = n[i];
-        }
-    }
-}
-
-static int find_face(const balance *b, const desk_pointer *p, hit *found)
+static int find_face(const balance *b, const desk_pointer *p, ray_hit *found)
 {
     sf_mesh_view m = sf_mesh_get_view(b->placed);
-    found->t = INFINITY;
+    *found = ray_none();
     for (size_t i = 0; i < m.triangle_count; i++) {
         const uint32_t *t = m.triangles + 3 * i;
-        try_triangle(p, m.vertices + 3 * (size_t)t[0], m.vertices + 3 * (size_t)t[1],
-                     m.vertices + 3 * (size_t)t[2], found);
-    }
-    double length = sqrt(dot(found->normal, found->normal));
-    for (int i = 0; i < 3 && isfinite(found->t); i++) {
-        found->normal[i] /= length;
+        ray_meet(p, m.vertices + 3 * (size_t)t[0], m.vertices + 3 * (size_t)t[1],
+                 m.vertices + 3 * (size_t)t[2], i, found);
     }
     return isfinite(found->t);
 }
@@ -144,7 +71,7 @@ static void turn_after(sf_transform *t, const double matrix[9])
 {
     sf_transform was = *t;
     for (int i = 0; i < 3; i++) {
-        t->shift_mm[i] = dot(matrix + 3 * i, was.shift_mm);
+        t->shift_mm[i] = ray_dot(matrix + 3 * i, was.shift_mm);
         for (int j = 0; j < 3; j++) {
             t->matrix[3 * i + j] = matrix[3 * i] * was.matrix[j] +
                                    matrix[3 * i + 1] * was.matrix[3 + j] +
@@ -168,7 +95,7 @@ static void put_down(balance *b)
 }
 
 // On the face, alone or as well. Handles lie elsewhere then, so those of one stance go.
-static void stand_on(balance *b, const hit *h, int as_well)
+static void stand_on(balance *b, const ray_hit *h, int as_well)
 {
     balance_plan *p = &b->state.plan;
     sf_stance_options asked = sf_stance_options_default();
@@ -190,7 +117,7 @@ static void stand_on(balance *b, const hit *h, int as_well)
     put_down(b);
 }
 
-static void hang_from(balance *b, const hit *h, int as_well)
+static void hang_from(balance *b, const ray_hit *h, int as_well)
 {
     balance_plan *p = &b->state.plan;
     sf_stance_options asked = sf_stance_options_default();
@@ -203,7 +130,7 @@ static void hang_from(balance *b, const hit *h, int as_well)
 
 static void rest_on(balance *b, const desk_pointer *p)
 {
-    hit h = {INFINITY, {0, 0, 0}, {0, 0, 1}};
+    ray_hit h;
     int as_well = (p->mods & MOD_SHIFT) != 0;
     if (!find_face(b, p, &h)) {
         return;
@@ -246,7 +173,7 @@ static void grip(balance *b, const desk_pointer *p, int handle)
     }
     b->mods = p->mods;
     balance_handle_place(b, (size_t)handle, at);
-    b->is_dragging = at_depth_of(p, at, b->grip_mm);
+    b->is_dragging = ray_at_depth(p, at, b->grip_mm);
 }
 
 void balance_press(desk *d, const desk_pointer *p)
@@ -281,7 +208,7 @@ void balance_drag(desk *d, const desk_pointer *p)
     }
     size_t handle = (size_t)b->state.selected;
     balance_handle_place(b, handle, at);
-    if (!at_depth_of(p, at, now)) {
+    if (!ray_at_depth(p, at, now)) {
         return;
     }
     if (b->is_dragging == 1) { // it begins to move
@@ -294,7 +221,7 @@ void balance_drag(desk *d, const desk_pointer *p)
         moved[i] = now[i] - b->grip_mm[i];
     }
     if ((b->mods & MOD_CONTROL) != 0) {
-        double factor = exp(2 * dot(moved, p->up) / b->state.size_mm);
+        double factor = exp(2 * ray_dot(moved, p->up) / b->state.size_mm);
         pose.scale = fmax(0.3, fmin(3, pose.scale * factor));
     } else {
         for (int i = (b->mods & MOD_SHIFT) != 0 ? 2 : 0; i < 3; i++) {
