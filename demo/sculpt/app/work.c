@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "balance/balance_desk.h"
+#include "grade/grade_desk.h"
 
 typedef struct maker {
     const char *name;
@@ -15,6 +16,7 @@ typedef struct maker {
 static const maker makers[WORK_COUNT] = {
     [WORK_SCULPT] = {"sculpt", NULL},
     [WORK_BALANCE] = {"balance", balance_desk_create},
+    [WORK_GRADE] = {"grade", grade_desk_create},
 };
 
 const char *work_name(workspace work)

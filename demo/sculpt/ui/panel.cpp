@@ -14,6 +14,7 @@
 #include "app/work.h"
 #include "outlet.h"
 #include "panel_balance.h"
+#include "panel_grade.h"
 
 struct panel {
     char path[PANEL_PATH_SIZE];
@@ -231,6 +232,9 @@ void show_work(const outlet &out, const editor *e)
     case WORK_BALANCE:
         panel_balance(out, editor_desk(e));
         break;
+    case WORK_GRADE:
+        panel_grade(out, editor_desk(e));
+        break;
     default:
         show_sculpting(out, e);
     }
@@ -278,6 +282,9 @@ void show_keys(const editor *e)
     switch (e->work) {
     case WORK_BALANCE:
         panel_balance_keys();
+        break;
+    case WORK_GRADE:
+        panel_grade_keys();
         break;
     default:
         show_sculpting_keys();
