@@ -47,3 +47,7 @@ for scene in shaun pumpkin intertwined; do
 done
 xvfb-run -a -s "-screen 0 1280x800x24" ../../dev demo --scene shaun --resolution 256 --input window.input \
     --size 840x620 --shot sculpt.png
+xvfb-run -a -s "-screen 0 1280x800x24" ../../dev demo --workspace balance --view=-58,16 --input balance.input \
+    --size 940x660 --shot balance.png
+xvfb-run -a -s "-screen 0 1280x800x24" ../../dev demo --workspace grade --view=-66,28 --input grade.input \
+    --size 1000x700 --shot grade.png

@@ -128,6 +128,58 @@ exits 0 --headless --session shown.session --hash
 [ "$(cat stdout)" != "$shaun" ] && [ -s shown.session ]
 ok $? "the session of the documents is played"
 
+# The other workspaces: what was recorded gives the same bits each time, and another hash each.
+cat >balance <<'END'
+do 102 0 0 0 0 0 0
+do 100 0 0 0 0 0 0
+do 7 0 0 0 0 0 0
+do 7 0 0 0 0 0 0
+do 7 0 0 0 0 0 0
+press 0 0 400 200 0 0 0
+move 0 0 410 180 0 0 0
+release 0 0 410 180 0 0 0
+do 7 0 0 0 0 0 0
+END
+cat >grade <<'END'
+do 200 0 0 0 0 0 0
+set 203 0 0.5 0 0 0 0
+key 32 0 0 0 0 0 0
+do 7 0 0 0 0 0 0
+key 90 2 0 0 0 0 0
+set 200 0 1 0 0 0 0
+press 0 0 400 320 0 0 0
+move 0 0 420 300 0 0 0
+release 0 0 420 300 0 0 0
+do 7 0 0 0 0 0 0
+END
+exits 0 --headless --workspace balance --size 800x600 --input balance --hash --save balance.obj
+balanced=$(cat stdout)
+exits 0 --headless --workspace balance --size 800x600 --input balance --hash
+same "$(cat stdout)" "$balanced" "what was done at the balance gives the same bits"
+[ -s balance.obj ] && [ -s balance_inner.obj ]
+ok $? "and leaves a hull and a cavity"
+exits 0 --headless --workspace balance --size 800x600 --hash balance.obj
+exits 0 --headless --workspace grade --size 800x600 --input grade --hash --save grade.vtk
+graded=$(cat stdout)
+exits 0 --headless --workspace grade --size 800x600 --input grade --hash
+same "$(cat stdout)" "$graded" "and so does what was painted"
+exits 0 --headless --workspace grade --hash grade.vtk
+[ "$graded" != "$balanced" ]
+ok $? "a hash each"
+# From one to the other and back, with a shape that was sculpted.
+printf 'set 15 0 1 0 0 0 0\nset 15 0 2 0 0 0 0\nset 15 0 0 0 0 0 0\n' >rounds
+exits 0 --headless --scene shaun --resolution 96 --input rounds --hash
+same "$(cat stdout)" "$shaun" "the shape is the same after a walk through all workspaces"
+exits 0 --headless --scene shaun --resolution 96 --workspace balance --hash
+[ "$(cat stdout)" != "$balanced" ]
+ok $? "and stands on the balance"
+exits 3 --headless --workspace balance broken.stl --hash
+exits 3 --headless --workspace grade broken.stl --hash
+[ -s stderr ]
+ok $? "what is no cage is refused: $(cat stderr)"
+exits 2 --headless --workspace kitchen --hash
+exits 4 --headless --workspace balance --save nowhere/out.obj
+
 # Pictures.
 if [ "${SF_NO_GL:-}" = 1 ]; then
     echo "ok $((count += 1)) - pictures # SKIP SF_NO_GL=1"
@@ -139,6 +191,11 @@ else
     grep -q 'a frame of 160x100: [0-9.]* ms' stdout
     ok $? "and frames are timed: $(cat stdout)"
     exits 4 --headless --scene shaun --resolution 96 --shot nowhere/shot.png --size 32x20
+    for work in balance grade; do
+        exits 0 --headless --workspace $work --input $work --shot $work.png --size 320x200 --bench
+        [ "$(wc -c <$work.png)" -gt 5000 ]
+        ok $? "a picture of the workspace $work: $(cat stdout)"
+    done
 
     # The twin on the graphics card, told apart from the model by what it is fetched from.
     exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input input --hash --gpu --shot twin.png
@@ -174,6 +231,14 @@ else
     window --scene shaun --resolution 96 --size 800x600 --input input --save second.session --gpu --shot twin.png
     cmp -s first.session second.session && [ "$(wc -c <twin.png)" -gt 20000 ]
     ok $? "and so it does where the brushes work on the graphics card: $(cat stderr)"
+    window --workspace balance --size 800x600 --input balance --save again.obj --shot window.png
+    same "$exit" 0 "the window plays what was done at the balance: $(cat stderr)"
+    cmp -s balance.obj again.obj && cmp -s balance_inner.obj again_inner.obj
+    ok $? "to the same hull and cavity"
+    window --workspace grade --size 800x600 --input grade --save again.vtk --shot window.png
+    same "$exit" 0 "and what was painted: $(cat stderr)"
+    cmp -s grade.vtk again.vtk
+    ok $? "to the same cage"
     cp input tiny
     cat >>tiny <<'END'
 size 0 0 1 1 0 0 0

@@ -55,9 +55,12 @@ void show_stance(const outlet &out, const balance_state &s)
 
 void show_means(const outlet &out, const balance_state &s)
 {
-    static const char *const carvings[3] = {"stays solid", "carved, no supports",
-                                            "carved, the paper's planes"};
+    static const char *const carvings[3] = {"solid", "carved", "carved in planes"};
     out.choose("inside", s.plan.carving, carvings, 3, BALANCE_CARVING);
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("carved: cavities print without supports inside; in planes: as much as\n"
+                          "there is, whose ceilings may hang");
+    }
     out.slide("wall", s.plan.wall_mm, 0.005 * s.size_mm, 0.1 * s.size_mm, "%.2f mm", BALANCE_WALL,
               true);
     out.slide("voxels", s.plan.resolution, 24, 128, "%.0f along it", BALANCE_RESOLUTION);
