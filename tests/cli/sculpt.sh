@@ -81,6 +81,16 @@ echo 'open ' >opens
 exits 3 --headless --input opens --hash
 grep -q 'line 1' stderr
 ok $? "an event that opens no file is none: $(cat stderr)"
+# A mesh as the brush's shape: its session holds the voxels, so the mesh is not needed again.
+box tip.obj 0 0 0 40 10 20
+{ echo 'tip nowhere.stl'; echo 'tip tip.obj'; cat input; } >meshed
+exits 0 --headless --scene shaun --resolution 96 --size 800x600 --input meshed --hash --save meshed.session
+meshed=$(cat stdout)
+[ "$meshed" != "$hash" ]
+ok $? "a mesh as a brush makes another model"
+rm tip.obj
+exits 0 --headless --session meshed.session --hash
+same "$(cat stdout)" "$meshed" "and its session gives the same"
 # Steps that were there when a session was opened can be undone; the next session knows them too,
 # and so does one after it.
 printf 'do 0 0 0 0 0 0 0\ndo 0 0 0 0 0 0 0\n' >undo

@@ -53,6 +53,9 @@ void app_listen(app *a);
 // as it is, and says why in editor.said.
 void app_open_file(app *a, const char *path);
 
+// A mesh for the brush.
+void app_open_brush(app *a, const char *path);
+
 // Buffers for the editor's model; 0 where the card has no room, and then editor.said says so.
 int app_look_anew(app *a);
 

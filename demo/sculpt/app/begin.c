@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "desk/mesh_file.h"
+#include "tip.h"
 #include "work.h"
 
 enum { WRONG_INPUT = 3, NO_RESOURCE = 4 };
@@ -57,6 +59,21 @@ int app_open_in_place(editor *e, const app_options *options, const char *path)
         editor_frame_all(e);
     }
     return good;
+}
+
+int app_open_tip(editor *e, const char *path)
+{
+    sf_mesh *mesh = e->drag == DRAG_NONE ? mesh_file_read(path, e->said) : NULL;
+    if (mesh == NULL) {
+        return 0;
+    }
+    if (!tip_take_mesh(e, mesh)) {
+        sf_mesh_destroy(mesh);
+        snprintf(e->said, sizeof e->said, "%.200s: the mesh has no size.", path);
+        return 0;
+    }
+    e->said[0] = '\0';
+    return 1;
 }
 
 // To the workspace, and what is opened there.

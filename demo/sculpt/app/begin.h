@@ -14,4 +14,8 @@ editor *app_begin(const app_options *options, int *status);
 // leaves everything as it is; then it is 0, and editor.said says why.
 int app_open_in_place(editor *e, const app_options *options, const char *path);
 
+// Open a mesh for the brush. 0 where it cannot be: then the brush is as it was, and editor.said
+// says why.
+int app_open_tip(editor *e, const char *path);
+
 #endif

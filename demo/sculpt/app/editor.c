@@ -12,6 +12,7 @@
 
 #include "pointer.h"
 #include "stroke.h"
+#include "tip.h"
 #include "work.h"
 
 // ---------------------------------------------------------------------------------------------
@@ -87,11 +88,10 @@ int editor_replace(editor *e, sf_sculpt *model, sf_session *session)
     sf_sculpt_destroy(e->model);
     sf_session_destroy(e->session);
     sf_grid_destroy(e->base);
-    sf_tip_destroy(e->tip);
+    tip_forget(e);
     e->model = model;
     e->session = session != NULL ? session : begun;
     e->base = base;
-    e->tip = NULL;
     e->drag = DRAG_NONE;
     e->has_place = 0;
     e->is_recorded = 1;
@@ -147,7 +147,7 @@ void editor_destroy(editor *e)
         sf_sculpt_destroy(e->model);
         sf_session_destroy(e->session);
         sf_grid_destroy(e->base);
-        sf_tip_destroy(e->tip);
+        tip_destroy(e);
         work_destroy(e);
         free(e->dabs);
         free(e);
@@ -183,7 +183,7 @@ static void set(editor *e, int setting, double x)
         b->kind = (sf_brush_kind)to_int(x, 0, SF_BRUSH_KIND_COUNT - 1);
         break;
     case SET_SHAPE:
-        b->shape = (sf_tip_shape)to_int(x, 0, SF_TIP_CONE);
+        b->shape = to_int(x, 0, e->tip_mesh != NULL ? TIP_MESH : SF_TIP_CONE);
         break;
     case SET_RADIUS:
         b->radius_mm = x;

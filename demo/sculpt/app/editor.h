@@ -30,7 +30,7 @@ typedef enum editor_drag {
 // The brush in hand. Lengths in mm, so that they mean the same on any lattice.
 typedef struct editor_brush {
     sf_brush_kind kind;
-    sf_tip_shape shape;
+    int shape; // one of sf_tip_shape, or TIP_MESH
     double radius_mm;
     uint8_t material;
     uint32_t passes;
@@ -60,6 +60,7 @@ typedef struct editor {
     const editor_twin *twin; // or NULL
     sf_grid *base;           // what was printable when the stroke began: where places are picked
     sf_tip *tip;             // of the brush; NULL where it must be made anew
+    sf_mesh *tip_mesh;       // of tips that are no formula; NULL where none was opened
     editor_brush brush;
     sf_brush_kind kind_under_way; // a held key may make it another than the brush's
     view_camera camera;

@@ -7,13 +7,13 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const words[EVENT_KIND_COUNT] = {"size", "move", "press", "release", "scroll",
-                                                    "key",  "set",  "do",    "fly",     "open"};
+static const char *const words[EVENT_KIND_COUNT] = {
+    "size", "move", "press", "release", "scroll", "key", "set", "do", "fly", "open", "tip"};
 
 void app_event_write(FILE *file, const app_event *event, const char *path)
 {
-    if (event->kind == EVENT_OPEN) {
-        fprintf(file, "open %s\n", path);
+    if (event->kind >= EVENT_OPEN) {
+        fprintf(file, "%s %s\n", words[event->kind], path);
         return;
     }
     fprintf(file, "%s %d %u %.17g %.17g %.17g %.17g %.17g\n", words[event->kind], event->code,
@@ -53,10 +53,13 @@ int app_event_read(FILE *file, app_event *event, char path[EVENT_PATH_SIZE])
     if (fgets(line, sizeof line, file) == NULL) {
         return 0;
     }
-    if (strncmp(line, "open ", 5) == 0) {
-        e.kind = EVENT_OPEN;
-        *event = e;
-        return read_path(line + 5, path) ? 1 : -1;
+    for (int k = EVENT_OPEN; k < EVENT_KIND_COUNT; k++) {
+        size_t length = strlen(words[k]);
+        if (strncmp(line, words[k], length) == 0 && line[length] == ' ') {
+            e.kind = (app_event_kind)k;
+            *event = e;
+            return read_path(line + length + 1, path) ? 1 : -1;
+        }
     }
     if (sscanf(line, "%15s %d %u %lf %lf %lf %lf %lf", word, &e.code, &e.mods, &e.x, &e.y, &e.z,
                &e.a, &e.b) != 8 ||

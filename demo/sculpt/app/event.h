@@ -24,6 +24,7 @@ typedef enum app_event_kind {
     EVENT_FLY,  // the camera by x, y, z to the right, up and forward, and turns by a, b; shares of
                 // the picture and radians
     EVENT_OPEN, // a file, which is named beside the event
+    EVENT_TIP,  // a mesh for the brush, named beside the event
     EVENT_KIND_COUNT
 } app_event_kind;
 
@@ -70,7 +71,7 @@ typedef struct app_event {
 enum { EVENT_PATH_SIZE = 512 };
 
 // Write one as a line of text, or read the next; 0 at the end, -1 for a line that is none. `path`
-// is the file of EVENT_OPEN; other events have none.
+// is the file of EVENT_OPEN and EVENT_TIP; other events have none.
 void app_event_write(FILE *file, const app_event *event, const char *path);
 int app_event_read(FILE *file, app_event *event, char path[EVENT_PATH_SIZE]);
 

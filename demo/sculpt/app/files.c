@@ -44,17 +44,28 @@ int app_look_anew(app *a)
     return 1;
 }
 
-void app_open_file(app *a, const char *path)
+static void record_path(app *a, app_event_kind kind, const char *path)
 {
-    editor *e = a->editor;
-    const app_event event = {EVENT_OPEN, 0, 0, 0, 0, 0, 0, 0};
+    const app_event event = {kind, 0, 0, 0, 0, 0, 0, 0};
     if (a->record != NULL) {
         app_event_write(a->record, &event, path);
     }
+    a->is_stale = 1;
+}
+
+void app_open_brush(app *a, const char *path)
+{
+    record_path(a, EVENT_TIP, path);
+    (void)app_open_tip(a->editor, path);
+}
+
+void app_open_file(app *a, const char *path)
+{
+    editor *e = a->editor;
+    record_path(a, EVENT_OPEN, path);
     if (app_open_in_place(e, a->options, path) && editor_desk(e) == NULL) {
         (void)app_look_anew(a);
     }
-    a->is_stale = 1;
 }
 
 #ifdef SCULPT_HAVE_PANEL
@@ -87,6 +98,9 @@ void app_grant(app *a, const panel_request *request)
     switch (request->wish) {
     case WISH_OPEN:
         app_open_file(a, request->path);
+        return;
+    case WISH_BRUSH:
+        app_open_brush(a, request->path);
         return;
     case WISH_SESSION:
         good = app_save_session(editor_session(e), request->path, e->said);

@@ -42,6 +42,8 @@ static int replay(const app_options *o, editor *e)
         line++;
         if (more > 0 && event.kind == EVENT_OPEN) {
             (void)app_open_in_place(e, o, opened);
+        } else if (more > 0 && event.kind == EVENT_TIP) {
+            (void)app_open_tip(e, opened);
         } else if (more > 0) {
             editor_take(e, &event);
         }

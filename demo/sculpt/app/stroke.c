@@ -10,6 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tip.h"
+
 #define RADIUS_MOST_VX 96.0
 
 static sf_box join(sf_box a, sf_box b)
@@ -61,8 +63,7 @@ void editor_bound_brush(editor *e)
     double r = e->brush.radius_mm;
     e->brush.radius_mm = r > least ? (r < most ? r : most) : least;
     if (e->drag != DRAG_STROKE) {
-        sf_tip_destroy(e->tip);
-        e->tip = NULL;
+        tip_forget(e);
     }
 }
 
@@ -80,14 +81,6 @@ static sf_brush_kind kind_of(const editor *e, unsigned mods)
         return SF_BRUSH_SMOOTH_TRIM;
     }
     return (mods & MOD_CONTROL) != 0 ? others[e->brush.kind] : e->brush.kind;
-}
-
-static int make_tip(editor *e)
-{
-    sf_lattice l = sf_sculpt_options_of(e->model).lattice;
-    const double r = e->brush.radius_mm;
-    const double radius[3] = {r / l.pitch_x_mm, r / l.pitch_y_mm, r / l.layer_mm};
-    return e->tip != NULL || sf_tip_create(e->brush.shape, radius, NULL, &e->tip) == SF_OK;
 }
 
 static sf_brush brush_of(const editor *e)
@@ -146,8 +139,10 @@ void editor_stroke_begin(editor *e, unsigned mods)
 {
     e->kind_under_way = kind_of(e, mods);
     e->dab_count = 0;
-    if (!make_tip(e)) {
-        snprintf(e->said, sizeof e->said, "There is no memory for a brush of that size.");
+    if (!tip_make(e)) {
+        snprintf(e->said, sizeof e->said,
+                 "A brush of that size cannot be made: there is no memory, "
+                 "or the mesh has no voxel then.");
         return;
     }
     sf_brush brush = brush_of(e);
@@ -196,16 +191,11 @@ void editor_stroke_on(editor *e)
     }
 }
 
-// The stroke into the session, with its tip by formula.
 static void record(editor *e)
 {
-    sf_lattice l = sf_sculpt_options_of(e->model).lattice;
-    const double r = e->brush.radius_mm;
-    const double radius[3] = {r / l.pitch_x_mm, r / l.pitch_y_mm, r / l.layer_mm};
     sf_brush brush = brush_of(e);
     uint32_t tip = 0;
-    e->is_recorded = e->is_recorded &&
-                     sf_session_add_tip(e->session, e->brush.shape, radius, &tip) == SF_OK &&
+    e->is_recorded = e->is_recorded && tip_record(e, &tip) &&
                      sf_session_add_stroke(e->session, &brush, tip, e->dabs, e->dab_count) == SF_OK;
 }
 

@@ -129,6 +129,8 @@ static int play_on(app *a)
     }
     if (more > 0 && event.kind == EVENT_OPEN) {
         app_open_file(a, path);
+    } else if (more > 0 && event.kind == EVENT_TIP) {
+        app_open_brush(a, path);
     } else if (more > 0) {
         app_take(a, &event);
     }

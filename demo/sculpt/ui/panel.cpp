@@ -73,14 +73,14 @@ void choose_material(const outlet &out, const editor *e)
 
 void show_brush(const outlet &out, const editor *e)
 {
-    static const char *const shapes[4] = {"sphere", "box", "cylinder", "cone"};
+    static const char *const shapes[5] = {"sphere", "box", "cylinder", "cone", "a mesh"};
     static const char *const planes[4] = {"on the shape", "plane across x", "plane across y",
                                           "level plane"};
     int passes = static_cast<int>(e->brush.passes), plane = e->brush.plane + 1;
     choose_kind(out, e);
     ImGui::Spacing();
     ImGui::PushItemWidth(150);
-    out.choose("shape", e->brush.shape, shapes, 4, SET_SHAPE);
+    out.choose("shape", e->brush.shape, shapes, e->tip_mesh != nullptr ? 5 : 4, SET_SHAPE);
     out.slide("radius", e->brush.radius_mm, 0.2, 24, "%.1f mm", SET_RADIUS, true);
     if (e->brush.kind == SF_BRUSH_SMOOTH_TRIM && ImGui::SliderInt("passes", &passes, 1, 16)) {
         out.set(SET_PASSES, passes);
@@ -172,13 +172,14 @@ void show_files(panel *p, panel_request *request)
     const struct {
         const char *name, *says;
         panel_wish wish;
-    } buttons[4] = {{"open", "a mesh or a session", WISH_OPEN},
+    } buttons[5] = {{"open", "a mesh or a session", WISH_OPEN},
+                    {"brush", "a mesh as the brush's shape", WISH_BRUSH},
                     {"save", "the session", WISH_SESSION},
                     {"export", "a mesh by its name, or a folder of layers", WISH_SHAPE},
                     {"picture", "what is seen, as PNG", WISH_PICTURE}};
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         if (i > 0) {
-            ImGui::SameLine();
+            ImGui::SameLine(0, 4);
         }
         if (ImGui::Button(buttons[i].name) && p->path[0] != '\0') {
             request->wish = buttons[i].wish;

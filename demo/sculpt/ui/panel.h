@@ -23,6 +23,7 @@ enum { PANEL_PATH_SIZE = 512 };
 typedef enum panel_wish {
     WISH_NOTHING,
     WISH_OPEN,    // a mesh or a session
+    WISH_BRUSH,   // a mesh as the brush's shape
     WISH_SESSION, // save it
     WISH_SHAPE,   // save it: a mesh or a folder
     WISH_PICTURE

@@ -164,8 +164,7 @@ void panel_grade(const outlet &out, const desk *d)
     ImGui::SameLine();
     out.button("redo", DO_REDO);
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu step%s", s.history.undo_count,
-                        s.history.undo_count == 1 ? "" : "s");
+    ImGui::TextDisabled("%zu step%s", s.history.undo_count, s.history.undo_count == 1 ? "" : "s");
 }
 
 void panel_grade_keys()
