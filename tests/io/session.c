@@ -145,6 +145,64 @@ static const char by_hand[] = "libsf-session 1  # a comment\n"
                               "stroke add-trim 0 2 1 0 1\n 10 10 2\n"
                               "stroke paint 1 3 1 1 1\n 8 8 0\nundo\nredo\ndrop-ghosts\n";
 
+// A shape and its materials by a formula; 0 in an array counts as 1.
+static sf_grid *shape_of(const sf_lattice *lattice, uint8_t *materials)
+{
+    sf_grid *grid = NULL;
+    CHECK_EQ(sf_grid_create(lattice, NULL, &grid), SF_OK);
+    for (uint32_t k = 0; k < lattice->nz; k++) {
+        sf_slice slice = sf_grid_slice(grid, k);
+        for (uint32_t y = 0; y < lattice->ny; y++) {
+            for (uint32_t x = 0; x < lattice->nx; x++) {
+                size_t at = ((size_t)k * lattice->ny + y) * lattice->nx + x;
+                materials[at] = (uint8_t)((x / 3 + y / 5 + k) % 7);
+                CHECK_EQ(sf_slice_set(slice, x, y, (x * 7 + y * 3 + k) % 5 != 0), SF_OK);
+            }
+        }
+    }
+    return grid;
+}
+
+// A shape in a session does what replacing the shape of a model does, also once it was a file.
+static void shapes(void)
+{
+    sf_session_options o = small_space();
+    sf_session *session = NULL, *again = NULL;
+    sf_sculpt *model = NULL, *played = NULL;
+    CHECK_EQ(sf_session_create(&o, NULL, &session), SF_OK);
+    CHECK_EQ(sf_session_begin(session, NULL, &model), SF_OK);
+    record(session, model, 6);
+    uint8_t *materials = calloc(voxels_of(model), 1);
+    sf_grid *grid = shape_of(&o.lattice, materials);
+    CHECK_EQ(sf_session_add_shape(session, grid, materials), SF_OK);
+    CHECK_EQ(sf_sculpt_replace(model, grid, materials, NULL), SF_OK);
+    record(session, model, 3);
+    CHECK_EQ(sf_session_add_shape(session, grid, NULL), SF_OK);
+    CHECK_EQ(sf_sculpt_replace(model, grid, NULL, NULL), SF_OK);
+    CHECK_EQ(sf_session_keep_state(session, model), SF_OK);
+    text t = write_text(session);
+    CHECK_EQ(read_text(t.bytes, t.size, NULL, &again, NULL), SF_OK);
+    CHECK_EQ(sf_session_replay(again, NULL, NULL, &played), SF_OK);
+    CHECK(is_same(model, played));
+    size_t steps = sf_session_count(session).steps;
+    sf_lattice lower = o.lattice;
+    lower.nz--;
+    sf_grid *other = NULL;
+    CHECK_EQ(sf_grid_create(&lower, NULL, &other), SF_OK);
+    CHECK_EQ(sf_session_add_shape(session, other, NULL), SF_ERR_SHAPE);
+    CHECK_EQ(sf_session_add_shape(NULL, grid, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_session_add_shape(session, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_session_count(session).steps, steps);
+    free(t.bytes);
+    free(materials);
+    sf_grid_destroy(grid);
+    sf_grid_destroy(other);
+    sf_sculpt_destroy(model);
+    sf_sculpt_destroy(played);
+    sf_session_destroy(session);
+    sf_session_destroy(again);
+}
+
 static void written_by_hand(void)
 {
     char bytes[1024];
@@ -296,6 +354,7 @@ static void arguments(void)
 int main(void)
 {
     TEST(round_trips);
+    TEST(shapes);
     TEST(written_by_hand);
     TEST(refused);
     TEST(mangled);

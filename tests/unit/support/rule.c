@@ -406,7 +406,25 @@ static void names(void)
     CHECK_STR(sf_rule_kind_name(SF_RULE_BOX3), "box3");
     CHECK_STR(sf_rule_kind_name(SF_RULE_OCTAGON), "octagon");
     CHECK_STR(sf_rule_kind_name(SF_RULE_DISK), "disk");
+    CHECK_STR(sf_rule_kind_name(SF_RULE_SLACK), "slack");
     CHECK_STR(sf_rule_kind_name((sf_rule_kind)77), "unknown");
+}
+
+static void kinds_of_names(void)
+{
+    const char *const said[] = {"box3", "octagon", "disk", "slack"};
+    for (int i = 0; i < 4; i++) {
+        sf_rule_kind kind = (sf_rule_kind)77;
+        CHECK_EQ(sf_rule_kind_from_name(said[i], &kind), SF_OK);
+        CHECK_STR(sf_rule_kind_name(kind), said[i]);
+    }
+    const char *const none[] = {"", "box", "box33", "Disk", "unknown", " slack", NULL};
+    for (int i = 0; i < 7; i++) {
+        sf_rule_kind kind = (sf_rule_kind)77;
+        CHECK_EQ(sf_rule_kind_from_name(none[i], &kind), SF_ERR_ARGUMENT);
+        CHECK_EQ((int)kind, 77);
+    }
+    CHECK_EQ(sf_rule_kind_from_name("disk", NULL), SF_ERR_ARGUMENT);
 }
 
 int main(void)
@@ -425,5 +443,6 @@ int main(void)
     TEST(elements_of_broken_rules_are_refused);
     TEST(schedule_holds_at_the_far_end);
     TEST(names);
+    TEST(kinds_of_names);
     return test_finish();
 }
