@@ -27,9 +27,13 @@ extern "C" {
 // Version and linkage
 // ---------------------------------------------------------------------------------------------
 
+/** Version of these headers: what breaks programs raises it. */
 #define SF_VERSION_MAJOR 0
+/** And what adds to them; before 1.0 it may break them as well. */
 #define SF_VERSION_MINOR 1
+/** And what mends them. */
 #define SF_VERSION_PATCH 0
+/** The three as one text, as sf_version() gives that of the library. */
 #define SF_VERSION_STRING "0.1.0"
 
 #if defined(SF_STATIC)
@@ -135,9 +139,9 @@ typedef struct sf_fault {
  * owner made with it, one may run at a time, unless its functions lock. The C library's do.
  */
 typedef struct sf_allocator {
-    void *(*alloc)(void *user, size_t size, size_t align);
-    void (*free)(void *user, void *memory, size_t size);
-    void *user;
+    void *(*alloc)(void *user, size_t size, size_t align); /**< returns memory, or NULL */
+    void (*free)(void *user, void *memory, size_t size);   /**< takes it back */
+    void *user;                                            /**< handed to both; may be NULL */
 } sf_allocator;
 
 // ---------------------------------------------------------------------------------------------
@@ -152,20 +156,21 @@ typedef struct sf_allocator {
  * unchanged; a source that claims more than `capacity` is taken for one that failed, SF_ERR_IO.
  */
 typedef struct sf_source {
-    sf_status (*read)(void *user, void *data, size_t capacity, size_t *size);
-    void *user;
+    sf_status (*read)(void *user, void *data, size_t capacity,
+                      size_t *size); /**< stores the next bytes */
+    void *user;                      /**< handed to it; may be NULL */
 } sf_source;
 
 /** Where bytes go. `write` takes all `size` bytes or returns a status, which is passed on
  * unchanged. */
 typedef struct sf_sink {
-    sf_status (*write)(void *user, const void *data, size_t size);
-    void *user;
+    sf_status (*write)(void *user, const void *data, size_t size); /**< takes bytes */
+    void *user;                                                    /**< handed to it; may be NULL */
 } sf_sink;
 
 /** Bytes in memory, read front to back; the state behind sf_memory_source. */
 typedef struct sf_memory_cursor {
-    const void *data; /**< first byte */
+    const void *data; /**< first byte; may be NULL where size is 0 */
     size_t size;      /**< number of bytes */
     size_t position;  /**< bytes already read; beyond `size` it is at the end */
 } sf_memory_cursor;
@@ -173,7 +178,8 @@ typedef struct sf_memory_cursor {
 /**
  * A source that reads from memory.
  *
- * @param cursor  data, size and position; must outlive the source; position advances with each read
+ * @param cursor  data, size and position, not NULL; must outlive the source; position advances with
+ *                each read
  * @return the source.
  * @cost constant.   @threads any, on distinct cursors.
  * @since 0.1
@@ -200,7 +206,7 @@ typedef struct sf_task {
     void (*progress)(void *user, double fraction); /**< may be NULL */
     void (*parallel_for)(void *user, size_t count, sf_task_body body,
                          void *context); /**< or NULL */
-    void *user;                          /**< handed to both callbacks */
+    void *user;                          /**< handed to both callbacks; may be NULL */
     int cancel_state;            /**< private: use sf_task_cancel() and sf_task_is_cancelled() */
     const struct sf_task *whole; /**< private: NULL */
 } sf_task;

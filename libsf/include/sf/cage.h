@@ -93,8 +93,9 @@ SF_API SF_CHECKED sf_status sf_cage_create(const sf_cage_view *view, const sf_al
                                            sf_cage **cage, sf_fault *fault);
 
 /**
- * Free a cage; NULL does nothing.
+ * Free a cage.
  *
+ * @param cage  the cage, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this cage.   @since 0.1
  */
 SF_API void sf_cage_destroy(sf_cage *cage);
@@ -102,6 +103,7 @@ SF_API void sf_cage_destroy(sf_cage *cage);
 /**
  * View of a cage.
  *
+ * @param cage  the cage; NULL gives a view of nothing
  * @return the view, valid until properties are added or removed, or the cage is destroyed; its
  * values are those of the cage as it changes. NULL gives a view of nothing.
  * @cost constant.   @threads any, while nobody changes the cage.   @since 0.1
@@ -153,6 +155,8 @@ SF_API SF_CHECKED sf_status sf_cage_add_property(sf_cage *cage, const sf_channel
 /**
  * Remove a property; those after it move up.
  *
+ * @param cage     the cage
+ * @param channel  number of the property, counted from 0
  * @return SF_OK; SF_ERR_ARGUMENT: NULL, or there is no such channel.
  * @cost constant.   @threads one for each cage.   @since 0.1
  */

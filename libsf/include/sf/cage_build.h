@@ -121,9 +121,9 @@ SF_API SF_CHECKED sf_status sf_cage_skeleton(size_t node_count, const sf_skeleto
                                              const sf_allocator *allocator, sf_cage **cage,
                                              sf_fault *fault);
 
-/** A place for another one, or a value for a place, where what it is before is found. Returns 0 to
- * give up. */
+/** A place for another one: what it is before is found in `moved_mm`. Returns 0 to give up. */
 typedef int (*sf_cage_place_function)(void *user, const double at_mm[3], double moved_mm[3]);
+/** A value for a place: what it is before is found in `value`. Returns 0 to give up. */
 typedef int (*sf_cage_value_function)(void *user, const double at_mm[3], double *value);
 
 /**

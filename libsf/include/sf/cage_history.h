@@ -44,8 +44,9 @@ SF_API SF_CHECKED sf_status sf_cage_history_create(const sf_cage *cage, size_t b
                                                    sf_cage_history **history);
 
 /**
- * Free a history; NULL does nothing. The cage stays as it is.
+ * Free a history. The cage stays as it is.
  *
+ * @param history  the history, freed; NULL does nothing
  * @cost O(steps).   @threads one, and nobody else with this history.
  * @since 0.1
  */

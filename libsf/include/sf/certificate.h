@@ -196,7 +196,7 @@ SF_API sf_certificate_view sf_certificate_get_view(const sf_certificate *certifi
 /**
  * Free a certificate.
  *
- * @param certificate  the certificate; NULL does nothing
+ * @param certificate  the certificate, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this certificate.
  * @since 0.1
  */

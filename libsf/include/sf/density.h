@@ -27,11 +27,11 @@ typedef enum sf_density_shape {
 
 /** A region of one density. Only what its shape names is looked at. */
 typedef struct sf_density_region {
-    sf_density_shape shape;
-    double density; /**< what 1 mm3 weighs, above 0; infill does not thin it */
-    double low_mm[3], high_mm[3];
-    sf_mesh_view mesh;   /**< as sf_grid_voxelize() takes it */
-    const sf_grid *mask; /**< of the grid's counts */
+    sf_density_shape shape;       /**< how it is said: box, mesh or mask */
+    double density;               /**< what 1 mm3 weighs, above 0; infill does not thin it */
+    double low_mm[3], high_mm[3]; /**< corners of a box */
+    sf_mesh_view mesh;            /**< as sf_grid_voxelize() takes it */
+    const sf_grid *mask;          /**< of the grid's counts */
 } sf_density_region;
 
 /** Where densities come from. Fill with sf_density_options_default(). */

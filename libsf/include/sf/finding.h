@@ -82,10 +82,10 @@ SF_API SF_CHECKED sf_status sf_findings_cost(const sf_grid *grid, const sf_terms
  * The cost to fix a finding is the lesser of its two; of equal costs those come first that no other
  * finding causes, then those with the lower index.
  *
- * @param findings       the findings
- * @param costs          their costs
+ * @param findings       the findings; may be NULL where there are none, as may the two others
+ * @param costs          their costs, or NULL
  * @param finding_count  how many, at most UINT32_MAX
- * @param order          finding_count places: order[0] is the index of the dearest finding
+ * @param order          finding_count places, or NULL: order[0] is the index of the dearest finding
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer where there are findings; SF_ERR_OVERFLOW: too
  * many findings.
  * @cost n log n; no memory.   @threads any that write to distinct arrays.
@@ -119,7 +119,7 @@ typedef enum sf_void_kind {
  * where the next layer joins it to the outside, or where there is none.
  */
 typedef struct sf_void {
-    sf_void_kind kind;
+    sf_void_kind kind;   /**< trap or cup */
     uint32_t vent_layer; /**< layer that joins it to the outside; the number of layers where only
                               the end of the print does; UINT32_MAX for a trap */
     uint64_t volume;     /**< voxels */
@@ -130,11 +130,11 @@ typedef struct sf_void {
 
 /** Counts of voids; exact whatever fits where. */
 typedef struct sf_voids_report {
-    uint64_t trap_count, trap_voxels;
-    uint64_t cup_count, cup_voxels; /**< of those that are not small */
-    uint64_t small_cup_count;       /**< cups below cup_area_min or cup_layers_min */
-    uint64_t voids_dropped;         /**< traps, and cups that are not small, without a place */
-    uint32_t bed_layer;             /**< the bed layer; SF_BED_AUTO when there is no matter */
+    uint64_t trap_count, trap_voxels; /**< of all traps */
+    uint64_t cup_count, cup_voxels;   /**< of those that are not small */
+    uint64_t small_cup_count;         /**< cups below cup_area_min or cup_layers_min */
+    uint64_t voids_dropped;           /**< traps, and cups that are not small, without a place */
+    uint32_t bed_layer;               /**< the bed layer; SF_BED_AUTO when there is no matter */
 } sf_voids_report;
 
 /** How voids are looked for. Fill with sf_voids_options_default(). */

@@ -90,8 +90,9 @@ SF_API SF_CHECKED sf_status sf_path_finder_create(const sf_grid *grid, const sf_
                                                   sf_task *task, sf_path_finder **finder);
 
 /**
- * Free a path finder; NULL does nothing.
+ * Free a path finder.
  *
+ * @param finder  the finder, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this finder.   @since 0.1
  */
 SF_API void sf_path_finder_destroy(sf_path_finder *finder);
@@ -200,8 +201,9 @@ SF_API SF_CHECKED sf_status sf_path_map_create(const sf_grid *grid, const sf_ter
                                                sf_path_map **map);
 
 /**
- * Free a path map; NULL does nothing.
+ * Free a path map.
  *
+ * @param map  the map, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this map.   @since 0.1
  */
 SF_API void sf_path_map_destroy(sf_path_map *map);

@@ -66,7 +66,7 @@ SF_API sf_mask_options sf_mask_options_default(void);
 /**
  * The mask of 32 x 32 x 32 voxels that is part of the library: what the default options make.
  *
- * @return the mask, which lives as long as the program.
+ * @return the mask, which lives as long as the program, never NULL.
  * @cost constant.   @threads any.
  * @since 0.1
  */
@@ -114,16 +114,19 @@ SF_API SF_CHECKED sf_status sf_mask_from_ranks(uint32_t nx, uint32_t ny, uint32_
                                                sf_mask **mask);
 
 /**
- * Free a mask; NULL and the built-in one do nothing.
+ * Free a mask.
  *
+ * @param mask  the mask, freed; NULL and the built-in one do nothing
  * @cost constant.   @threads one, and nobody else with this mask.
  * @since 0.1
  */
 SF_API void sf_mask_destroy(sf_mask *mask);
 
 /**
- * The period of a mask along x, y and z, in voxels; all 0 for NULL.
+ * The period of a mask along x, y and z, in voxels.
  *
+ * @param mask  the mask; NULL has no size
+ * @param size  receives the period along x, y and z; not NULL
  * @cost constant.   @threads any.
  * @since 0.1
  */
@@ -132,6 +135,10 @@ SF_API void sf_mask_size(const sf_mask *mask, uint32_t size[3]);
 /**
  * The rank at a voxel, anywhere: the mask is repeated.
  *
+ * @param mask  the mask; NULL gives 0
+ * @param x     column, of the repeated mask
+ * @param y     row
+ * @param z     layer
  * @return the rank; 0 for NULL.
  * @cost constant.   @threads any.
  * @since 0.1
@@ -172,7 +179,7 @@ typedef struct sf_tones {
     sf_slice solid;              /**< words NULL: all; else what is empty there gets no material,
                                       and its tones are not looked at */
     const sf_keep_out *keep_outs; /**< applied in their order */
-    size_t keep_out_count;
+    size_t keep_out_count;        /**< how many */
 } sf_tones;
 
 /** Where materials go. Each pointer may be NULL. Nothing here may overlap what is read. */
@@ -206,8 +213,9 @@ SF_API SF_CHECKED sf_status sf_halftone_create(const sf_mask *mask, uint32_t mat
                                                sf_halftone **halftone);
 
 /**
- * Free a halftone; NULL does nothing.
+ * Free a halftone.
  *
+ * @param halftone  the halftone, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this halftone.
  * @since 0.1
  */
@@ -276,8 +284,9 @@ SF_API SF_CHECKED sf_status sf_diffuser_create(uint32_t width, uint32_t height,
                                                sf_diffuser **diffuser);
 
 /**
- * Free a diffuser; NULL does nothing.
+ * Free a diffuser.
  *
+ * @param diffuser  the diffuser, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this diffuser.
  * @since 0.1
  */
@@ -343,8 +352,9 @@ SF_API SF_CHECKED sf_status sf_shell_create(sf_mesh_view mesh, const sf_lattice 
                                             sf_shell **shell, sf_fault *fault);
 
 /**
- * Free a shell; NULL does nothing.
+ * Free a shell.
  *
+ * @param shell  the shell, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this shell.
  * @since 0.1
  */
@@ -370,9 +380,9 @@ SF_API SF_CHECKED sf_status sf_shell_slice(sf_shell *shell, uint32_t k, sf_slice
 
 /** How much of a material a part takes. */
 typedef struct sf_material_use {
-    uint64_t voxels;
-    double volume_mm3;
-    double mass_g;
+    uint64_t voxels;   /**< how many */
+    double volume_mm3; /**< of these */
+    double mass_g;     /**< by its density; 0 without one */
 } sf_material_use;
 
 /**

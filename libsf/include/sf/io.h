@@ -34,7 +34,7 @@ typedef enum sf_mesh_format {
 
 /** Bounds on what a reader takes. Fill with sf_read_limits_default(). */
 typedef struct sf_read_limits {
-    size_t struct_size;
+    size_t struct_size;   /**< sizeof(sf_read_limits), set by the default */
     uint64_t bytes_max;   /**< most bytes read from the source (default 8 GiB) */
     size_t triangles_max; /**< most triangles (default 1e9) */
     size_t
@@ -131,7 +131,7 @@ typedef struct sf_folder {
     sf_status (*begin)(void *user, const char *name, sf_sink *sink);
     /** Finish the file begun last: publish it (keep != 0) or drop it. */
     sf_status (*commit)(void *user, int keep);
-    void *user;
+    void *user; /**< handed to all four; may be NULL */
 } sf_folder;
 
 /** The rule that a stack was made under, as stack.json carries it. */
@@ -289,7 +289,7 @@ SF_API sf_source sf_file_source(sf_file *file);
 /**
  * Close a file.
  *
- * @param file  the file; NULL does nothing
+ * @param file  the file, freed; NULL does nothing
  * @cost constant.   @threads one per file.
  * @since 0.1
  */

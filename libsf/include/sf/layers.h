@@ -90,8 +90,9 @@ SF_API SF_CHECKED sf_status sf_layers_finish(sf_layers *layers, sf_material_use 
                                              sf_fault *fault);
 
 /**
- * Free what layers hold; the folder is the caller's. NULL does nothing.
+ * Free what layers hold; the folder is the caller's.
  *
+ * @param layers  the layers, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with these layers.
  * @since 0.1
  */

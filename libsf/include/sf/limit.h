@@ -54,8 +54,9 @@ SF_API SF_CHECKED sf_status sf_limit_create(const sf_cage *cage, sf_refine_rules
                                             sf_limit **limit);
 
 /**
- * Free a limit; NULL does nothing.
+ * Free a limit.
  *
+ * @param limit  the limit surface, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this limit.
  * @since 0.1
  */
@@ -64,6 +65,7 @@ SF_API void sf_limit_destroy(sf_limit *limit);
 /**
  * Number of pieces: that of the corners of all cells; 0 for NULL.
  *
+ * @param limit  the limit surface; NULL has none
  * @return the number.
  * @cost constant.   @threads any.
  * @since 0.1

@@ -37,8 +37,9 @@ SF_API SF_CHECKED sf_status sf_locator_create(const sf_limit *limit, const sf_al
                                               sf_locator **locator);
 
 /**
- * Free a locator; NULL does nothing.
+ * Free a locator.
  *
+ * @param locator  the locator, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this locator.
  * @since 0.1
  */

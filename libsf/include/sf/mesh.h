@@ -42,7 +42,7 @@ SF_API SF_CHECKED sf_status sf_mesh_create(const sf_allocator *allocator, sf_mes
 /**
  * Free a mesh; NULL does nothing.
  *
- * @param mesh  the mesh, or NULL
+ * @param mesh  the mesh, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this mesh.
  * @since 0.1
  */
@@ -354,7 +354,7 @@ SF_API SF_CHECKED sf_status sf_voxelizer_create(sf_mesh_view mesh, const sf_latt
 /**
  * Free a voxeliser; NULL does nothing.
  *
- * @param voxelizer  the voxeliser, or NULL
+ * @param voxelizer  the voxeliser, freed; NULL does nothing
  * @cost constant.   @threads any; not while the voxeliser is in use.
  * @since 0.1
  */

@@ -66,8 +66,9 @@ SF_API SF_CHECKED sf_status sf_curve_create(const sf_curve_sample *samples, size
                                             sf_curve **curve);
 
 /**
- * Free a curve; NULL does nothing.
+ * Free a curve.
  *
+ * @param curve  the curve, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this curve.
  * @since 0.1
  */
@@ -105,6 +106,7 @@ SF_API SF_CHECKED sf_status sf_curve_inverse(const sf_curve *curve, double y, do
 /**
  * How far the curve is from the sample that it had to leave the most; 0 for NULL.
  *
+ * @param curve  the curve; NULL gives 0
  * @return a distance in y.
  * @cost constant.   @threads any.
  * @since 0.1
@@ -115,9 +117,11 @@ SF_API double sf_curve_change(const sf_curve *curve);
 // Mixtures
 // ---------------------------------------------------------------------------------------------
 
-/** Largest number of materials in a mixture, of properties, and of measured mixtures. */
+/** Largest number of materials in a mixture. */
 #define SF_MIXTURE_MATERIAL_MAX 6u
+/** Largest number of its properties. */
 #define SF_MIXTURE_PROPERTY_MAX 8u
+/** Largest number of measured mixtures. */
 #define SF_MIXTURE_MAX 256u
 
 /** What was measured. */
@@ -159,8 +163,9 @@ SF_API SF_CHECKED sf_status sf_mixture_create(const sf_mixture_samples *samples,
                                               sf_fault *fault);
 
 /**
- * Free a mixture; NULL does nothing.
+ * Free a mixture.
  *
+ * @param mixture  the mixture, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this mixture.
  * @since 0.1
  */
@@ -169,6 +174,7 @@ SF_API void sf_mixture_destroy(sf_mixture *mixture);
 /**
  * How many simplices there are.
  *
+ * @param mixture  the mixture; NULL has none
  * @return the number; 0 for NULL.
  * @cost constant.   @threads any.
  * @since 0.1
@@ -178,6 +184,9 @@ SF_API size_t sf_mixture_simplex_count(const sf_mixture *mixture);
 /**
  * The corners of a simplex: as many measured mixtures as there are materials, in rising order.
  *
+ * @param mixture  the mixture
+ * @param simplex  which, below sf_mixture_simplex_count()
+ * @param corners  receives the numbers of the measured mixtures, as many as there are materials
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such simplex.
  * @cost constant.   @threads any.
  * @since 0.1

@@ -76,8 +76,9 @@ SF_API SF_CHECKED sf_status sf_refine(const sf_cage *cage, const sf_refine_optio
                                       sf_refinement **refinement);
 
 /**
- * Free a refinement; NULL does nothing.
+ * Free a refinement.
  *
+ * @param refinement  the refinement, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this refinement.
  * @since 0.1
  */

@@ -64,7 +64,7 @@ typedef struct sf_bridge {
  * sf_rule_make() and must outlive every use of the rule.
  */
 typedef struct sf_rule {
-    sf_rule_kind kind;
+    sf_rule_kind kind;     /**< which rule */
     uint32_t table_count;  /**< layers that the table serves; 0 when all layers have one height */
     uint64_t reach_x_q24;  /**< one height: reach of one step along x */
     uint64_t reach_y_q24;  /**< one height: reach of one step along y */

@@ -114,8 +114,9 @@ SF_API SF_CHECKED sf_status sf_sampler_of_tets(const sf_tets *tets, const sf_lat
                                                sf_fault *fault);
 
 /**
- * Free a sampler; NULL does nothing.
+ * Free a sampler.
  *
+ * @param sampler  the sampler, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this sampler.
  * @since 0.1
  */
@@ -124,9 +125,9 @@ SF_API void sf_sampler_destroy(sf_sampler *sampler);
 /**
  * The surface by which voxels are solid: closed triangles, outwards.
  *
- * @param sampler   the sampler
+ * @param sampler   the sampler; NULL gives a view of nothing
  * @param error_mm  NULL, or receives how far it may be from the limit surface, mm
- * @return a view, valid until the sampler is destroyed; of nothing for NULL.
+ * @return a view, valid until the sampler is destroyed.
  * @cost constant.   @threads any.
  * @since 0.1
  */

@@ -121,7 +121,7 @@ SF_API SF_CHECKED sf_status sf_tip_create_stamp(const uint8_t *heights, size_t r
 /**
  * The mask of a tip, and its anchor in it.
  *
- * @param tip     the tip
+ * @param tip     the tip; NULL has none
  * @param anchor  the anchor's place in the mask; may be NULL
  * @return the mask, which lives as long as the tip; NULL for NULL.
  * @cost constant.   @threads any.
@@ -130,8 +130,9 @@ SF_API SF_CHECKED sf_status sf_tip_create_stamp(const uint8_t *heights, size_t r
 SF_API const sf_grid *sf_tip_mask(const sf_tip *tip, sf_dab *anchor);
 
 /**
- * Free a tip; NULL does nothing.
+ * Free a tip.
  *
+ * @param tip  the tip, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this tip.   @since 0.1
  */
 SF_API void sf_tip_destroy(sf_tip *tip);
@@ -154,8 +155,8 @@ typedef enum sf_brush_kind {
 /**
  * Name of a kind of brush, as a person reads and types it: "add-trim", "remove-preserve".
  *
- * @param kind  any value; one that is no kind gives NULL
- * @return a static string.
+ * @param kind  any value; one that is no kind has no name
+ * @return a static string; NULL for one that is no kind.
  * @cost constant.   @threads any.   @since 0.1
  */
 SF_API const char *sf_brush_kind_name(sf_brush_kind kind);
@@ -242,16 +243,17 @@ SF_API SF_CHECKED sf_status sf_sculpt_create(const sf_sculpt_options *options,
                                              const sf_allocator *allocator, sf_sculpt **model);
 
 /**
- * Free a model; NULL does nothing.
+ * Free a model.
  *
+ * @param model  the model, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this model.   @since 0.1
  */
 SF_API void sf_sculpt_destroy(sf_sculpt *model);
 
 /**
- * The options that a model was made with; its lattice's heights belong to the model. The model must
- * not be NULL.
+ * The options that a model was made with; its lattice's heights belong to the model.
  *
+ * @param model  the model, not NULL
  * @return the options, by value.
  * @cost constant.   @threads any.   @since 0.1
  */
@@ -260,6 +262,7 @@ SF_API sf_sculpt_options sf_sculpt_options_of(const sf_sculpt *model);
 /**
  * What prints without supports, T; during a stroke as far as the stroke has come.
  *
+ * @param model  the model; NULL has none
  * @return the grid, which lives as long as the model and must not be written; NULL for NULL.
  * @cost constant.   @threads any, while no call changes the model.   @since 0.1
  */
@@ -268,7 +271,8 @@ SF_API const sf_grid *sf_sculpt_printable(const sf_sculpt *model);
 /**
  * What is drawn, D: T and the ghosts.
  *
- * @return as sf_sculpt_printable().
+ * @param model  the model; NULL has none
+ * @return as sf_sculpt_printable(); NULL for NULL.
  * @cost constant.   @threads any, while no call changes the model.   @since 0.1
  */
 SF_API const sf_grid *sf_sculpt_drawn(const sf_sculpt *model);
@@ -276,6 +280,7 @@ SF_API const sf_grid *sf_sculpt_drawn(const sf_sculpt *model);
 /**
  * Materials of all voxels in (layer, y, x) order, a byte each: 0 where nothing is drawn.
  *
+ * @param model  the model; NULL has none
  * @return the first of nz * ny * nx bytes, which live as long as the model; NULL for NULL.
  * @cost constant.   @threads any, while no call changes the model.   @since 0.1
  */
@@ -428,6 +433,7 @@ typedef struct sf_sculpt_history {
 /**
  * What the history of a model holds; the model must not be NULL.
  *
+ * @param model  the model, not NULL
  * @return the counts, by value.
  * @cost constant.   @threads any, while no call changes the model.   @since 0.1
  */

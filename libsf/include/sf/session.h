@@ -35,9 +35,9 @@ typedef struct sf_session_options {
 
 /** What a session holds. */
 typedef struct sf_session_counts {
-    size_t tips, steps; /**< strokes are steps */
-    size_t strokes, dabs;
-    int has_state; /**< 1: the state at its end as well */
+    size_t tips, steps;   /**< strokes are steps */
+    size_t strokes, dabs; /**< dabs of all strokes */
+    int has_state;        /**< 1: the state at its end as well */
 } sf_session_counts;
 
 /** Steps that are no strokes and need no more said. */
@@ -71,23 +71,26 @@ SF_API SF_CHECKED sf_status sf_session_create(const sf_session_options *options,
                                               const sf_allocator *allocator, sf_session **session);
 
 /**
- * Free a session and its tips; NULL does nothing.
+ * Free a session and its tips.
  *
+ * @param session  the session, freed; NULL does nothing
  * @cost linear.   @threads one, and nobody else with this session.   @since 0.1
  */
 SF_API void sf_session_destroy(sf_session *session);
 
 /**
- * The space of a session, which must not be NULL.
+ * The space of a session.
  *
+ * @param session  the session, not NULL
  * @return the options, by value.
  * @cost constant.   @threads any.   @since 0.1
  */
 SF_API sf_session_options sf_session_options_of(const sf_session *session);
 
 /**
- * What a session, which must not be NULL, holds.
+ * What a session holds.
  *
+ * @param session  the session, not NULL
  * @return the counts, by value.
  * @cost constant.   @threads any.   @since 0.1
  */
@@ -126,6 +129,8 @@ SF_API SF_CHECKED sf_status sf_session_add_mask(sf_session *session, const sf_gr
 /**
  * A tip of a session, to put into a brush.
  *
+ * @param session  the session; NULL has none
+ * @param tip      its number, counted from 0
  * @return the tip, which lives as long as the session; NULL for one that there is not.
  * @cost constant.   @threads any.   @since 0.1
  */
@@ -149,6 +154,8 @@ SF_API SF_CHECKED sf_status sf_session_add_stroke(sf_session *session, const sf_
 /**
  * Add a step that is no stroke.
  *
+ * @param session  the session
+ * @param step     which
  * @return SF_OK; SF_ERR_ARGUMENT: NULL, no such step; SF_ERR_MEMORY.
  * @cost constant.   @threads one per session.   @since 0.1
  */
@@ -183,6 +190,9 @@ SF_API SF_CHECKED sf_status sf_session_keep_state(sf_session *session, const sf_
 /**
  * Make an empty model in the session's space.
  *
+ * @param session    the session
+ * @param allocator  for the model; NULL for the C library's
+ * @param model      receives the model
  * @return as sf_sculpt_create().
  * @cost that.   @threads any; one at a time for each allocator.   @since 0.1
  */
@@ -208,12 +218,13 @@ SF_API SF_CHECKED sf_status sf_session_play(const sf_session *session, size_t st
 /**
  * What a step is, where it is a stroke: for a host that does strokes by other means.
  *
- * @param session  the session
+ * @param session  the session; NULL has no steps
  * @param step     number of the step
- * @param brush    receives the brush, with its tip, which lives as long as the session
- * @param dabs     receives its dabs, which live until the next one is added; NULL where there are
- *                 none
- * @param count    receives how many
+ * @param brush    receives the brush, with its tip, which lives as long as the session; NULL: 0 is
+ *                 returned, as for the two others
+ * @param dabs     receives its dabs, which live until the next one is added, or NULL where there
+ *                 are none
+ * @param count    receives how many; NULL as for the brush
  * @return 1; 0, with nothing written, for a step that is no stroke or not there, and for NULL.
  * @cost constant.   @threads any.   @since 0.1
  */

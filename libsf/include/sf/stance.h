@@ -101,7 +101,7 @@ SF_API SF_CHECKED sf_status sf_stance_create(sf_mesh_view mesh, const sf_stance_
 /**
  * Free a stance; NULL does nothing.
  *
- * @param stance  the stance, or NULL
+ * @param stance  the stance, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this stance.
  * @since 0.1
  */

@@ -154,8 +154,9 @@ SF_API SF_CHECKED sf_status sf_stand_create(sf_mesh_view mesh, const sf_stance_o
                                             sf_stand **stand, sf_fault *fault);
 
 /**
- * Free a shape; NULL does nothing.
+ * Free a shape.
  *
+ * @param stand  the shape, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with this shape.   @since 0.1
  */
 SF_API void sf_stand_destroy(sf_stand *stand);
@@ -190,6 +191,7 @@ SF_API SF_CHECKED sf_status sf_stand_run(sf_stand *stand, sf_task *task, sf_stan
 /**
  * How far a shape has come.
  *
+ * @param stand  the shape; NULL gives a report of zeros
  * @return the report, by value; all zero for NULL.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
@@ -212,6 +214,8 @@ SF_API SF_CHECKED sf_status sf_stand_set_pose(sf_stand *stand, size_t handle, co
 /**
  * Pose of a handle.
  *
+ * @param stand   the shape; NULL has no handles
+ * @param handle  which of those handed in
  * @return the pose, by value; the identity for a handle that there is not.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
@@ -220,6 +224,7 @@ SF_API sf_pose sf_stand_get_pose(const sf_stand *stand, size_t handle);
 /**
  * The outside: the triangles of the mesh that was handed in, with its vertices where they are now.
  *
+ * @param stand  the shape; NULL gives a view of nothing
  * @return the view, valid until the next round; one of nothing for NULL.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
@@ -228,6 +233,7 @@ SF_API sf_mesh_view sf_stand_outer(const sf_stand *stand);
 /**
  * The cavity: closed surfaces whose triangles look into the hollow; none before the first round.
  *
+ * @param stand  the shape; NULL gives a view of nothing
  * @return the view, valid until the next round; one of nothing for NULL.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
@@ -236,7 +242,8 @@ SF_API sf_mesh_view sf_stand_cavity(const sf_stand *stand);
 /**
  * The carved shape as voxels; NULL before the first round.
  *
- * @return the grid, valid until the next round.
+ * @param stand  the shape; NULL has none
+ * @return the grid, valid until the next round, or NULL.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const sf_grid *sf_stand_grid(const sf_stand *stand);
@@ -245,7 +252,9 @@ SF_API const sf_grid *sf_stand_grid(const sf_stand *stand);
  * What 1 mm3 weighs in each voxel of sf_stand_grid(), in (layer, y, x) order, with those that were
  * carved; NULL where that is 1 everywhere, and before the first round.
  *
- * @return the array, valid until the next round; it means nothing where the shape was empty.
+ * @param stand  the shape; NULL has none
+ * @return the array, valid until the next round, or NULL; it means nothing where the shape was
+ * empty.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const float *sf_stand_density(const sf_stand *stand);
@@ -253,7 +262,9 @@ SF_API const float *sf_stand_density(const sf_stand *stand);
 /**
  * A stance of the shape as it is; NULL for one that there is not.
  *
- * @return the stance, valid until the next round.
+ * @param stand  the shape; NULL has none
+ * @param index  which of the stances handed in
+ * @return the stance, valid until the next round, or NULL.
  * @cost constant.   @threads any, while no round runs.   @since 0.1
  */
 SF_API const sf_stance *sf_stand_stance(const sf_stand *stand, size_t index);

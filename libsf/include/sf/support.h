@@ -125,8 +125,8 @@ typedef enum sf_finding_kind {
  * It grows out of matter that hangs in the air already, so the cause is what to look at first.
  */
 typedef struct sf_finding {
-    sf_finding_kind kind;
-    uint32_t layer;  /**< layer where it starts, counted from the lattice's layer 0 */
+    sf_finding_kind kind; /**< island or overhang */
+    uint32_t layer;       /**< layer where it starts, counted from the lattice's layer 0 */
     uint32_t cause;  /**< index of an earlier finding that this one follows, or SF_FINDING_ROOT */
     uint64_t area;   /**< voxels of the region */
     uint64_t volume; /**< voxels that trimming takes away because of it, the region included */

@@ -73,8 +73,9 @@ SF_API SF_CHECKED sf_status sf_tets_of_refinement(const sf_refinement *refinemen
                                                   const sf_allocator *allocator, sf_tets **tets);
 
 /**
- * Free tetrahedra; NULL does nothing.
+ * Free tetrahedra.
  *
+ * @param tets  the tetrahedra, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with these tetrahedra.
  * @since 0.1
  */
@@ -83,6 +84,7 @@ SF_API void sf_tets_destroy(sf_tets *tets);
 /**
  * View of tetrahedra.
  *
+ * @param tets  the tetrahedra; NULL gives a view of nothing
  * @return a view, valid until they are destroyed, and the refinement, if they follow one; of
  * nothing for NULL.
  * @cost constant.   @threads any.

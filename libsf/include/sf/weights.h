@@ -112,8 +112,9 @@ SF_API SF_CHECKED sf_status sf_weights_create(const sf_grid *solid, const sf_han
                                               sf_weights **weights, sf_fault *fault);
 
 /**
- * Free weights; NULL does nothing.
+ * Free weights.
  *
+ * @param weights  the weights, freed; NULL does nothing
  * @cost constant.   @threads one, and nobody else with these weights.   @since 0.1
  */
 SF_API void sf_weights_destroy(sf_weights *weights);
@@ -121,6 +122,7 @@ SF_API void sf_weights_destroy(sf_weights *weights);
 /**
  * What weights were made of.
  *
+ * @param weights  the weights; NULL gives facts of zeros
  * @return the facts, by value; all zero for NULL.
  * @cost constant.   @threads any.   @since 0.1
  */
@@ -129,6 +131,7 @@ SF_API sf_weights_facts sf_weights_describe(const sf_weights *weights);
 /**
  * The centres of all handles: x, y, z of each, in mm, as they were handed in.
  *
+ * @param weights  the weights; NULL has none
  * @return an array that lives as long as the weights; NULL for NULL.
  * @cost constant.   @threads any.   @since 0.1
  */
