@@ -23,7 +23,7 @@ typedef enum sf_cage_format {
 
 /** What a reader expects and takes at most. Fill with sf_cage_read_options_default(). */
 typedef struct sf_cage_read_options {
-    size_t struct_size;    /**< sizeof(sf_cage_read_options) */
+    size_t struct_size;    /**< sizeof(sf_cage_read_options), set by the default */
     sf_cage_format format; /**< the format */
     uint64_t bytes_max;    /**< most bytes read from the source */
     size_t points_max;     /**< most points; beyond SF_CAGE_POINT_MAX it is that */

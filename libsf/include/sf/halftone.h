@@ -178,17 +178,17 @@ typedef struct sf_tones {
     const sf_tone_plane *planes; /**< one for each material but the last, which gets what is left */
     sf_slice solid;              /**< words NULL: all; else what is empty there gets no material,
                                       and its tones are not looked at */
-    const sf_keep_out *keep_outs; /**< applied in their order */
+    const sf_keep_out *keep_outs; /**< applied in their order; may be NULL where there are none */
     size_t keep_out_count;        /**< how many */
 } sf_tones;
 
 /** Where materials go. Each pointer may be NULL. Nothing here may overlap what is read. */
 typedef struct sf_materials {
-    const sf_slice
-        *slices;       /**< one for each material, of the rectangle's size; words may be NULL */
-    uint8_t *ids;      /**< a byte a voxel: 0, or material + 1 */
-    size_t ids_stride; /**< bytes from one row to the next, at least the width */
-    uint64_t *counts;  /**< voxels of each material in the rectangle */
+    const sf_slice *slices; /**< NULL, or one for each material, of the rectangle's size; their
+                               words may be NULL */
+    uint8_t *ids;           /**< NULL, or a byte a voxel: 0, or material + 1 */
+    size_t ids_stride;      /**< bytes from one row to the next, at least the width */
+    uint64_t *counts;       /**< NULL, or receives voxels of each material in the rectangle */
 } sf_materials;
 
 /** A mask made ready for a number of materials. Slices are made from it at any time, in any order,

@@ -29,7 +29,7 @@ typedef struct sf_repair_options {
                                      added, and nothing is changed outside `act` */
     const uint8_t *add_cost;    /**< of adding each voxel, 1..255, nz * ny * nx of them in (layer,
                                      y, x) order; NULL (default): 1 each */
-    const uint8_t *remove_cost; /**< the same of removing it */
+    const uint8_t *remove_cost; /**< the same of removing it; NULL (default): 1 each */
     uint32_t min_feature_vx;    /**< added matter is made of squares of at least this many voxels
                                      each way, where there is room for them; 1 (default) asks
                                      nothing; at most SF_REACH_MAX */

@@ -64,12 +64,12 @@ typedef struct sf_stand_options {
                                    the carving after it is another; a tenth of a degree */
     uint32_t rounds_max;      /**< most rounds; 0 (default): 40, or 400 of descent, a step each */
     const sf_ballast *ballast; /**< masses that sit in the shape, where they are before bending;
-                                    copied */
+                                    copied; may be NULL where there are none */
     size_t ballast_count;      /**< how many; 0 by default */
     sf_density_field density;  /**< NULL (default): 1 everywhere */
-    void *density_user;        /**< handed to it */
+    void *density_user;        /**< handed to it; may be NULL */
     sf_keep_field keep; /**< what is never carved, beside the wall; NULL (default): nothing */
-    void *keep_user;    /**< handed to it */
+    void *keep_user;    /**< handed to it; may be NULL */
 } sf_stand_options;
 
 /**

@@ -51,10 +51,10 @@ typedef struct sf_terms {
     size_t struct_size;    /**< sizeof(sf_terms), set by the default */
     sf_rule rule;          /**< box3 by default; its table must outlive every use of the terms */
     uint32_t bed_layer;    /**< layer that rests on the bed, or SF_BED_AUTO (default) */
-    const sf_grid *exempt; /**< counts as carried already, with no reach to spare: overhangs that
-                              are accepted, matter that something else holds */
-    const sf_grid *keep;   /**< never removed, where it is solid in the shape */
-    const sf_grid *forbid; /**< never added */
+    const sf_grid *exempt; /**< NULL, or what counts as carried already, with no reach to spare:
+                              overhangs that are accepted, matter that something else holds */
+    const sf_grid *keep;   /**< NULL, or what is never removed, where it is solid in the shape */
+    const sf_grid *forbid; /**< NULL, or what is never added */
     const sf_grid *act;    /**< where an operator may act; NULL: everywhere */
 } sf_terms;
 
