@@ -12,6 +12,7 @@
 
 #include "base/memory.h"
 #include "base/status.h"
+#include "sculpt/lean.h"
 #include "support/rule/carry.h"
 #include "support/rule/rule.h"
 #include "support/rule/terms.h"
@@ -66,9 +67,10 @@ static size_t size_of(const sf_sculpt_options *options)
     add(&t, 7, l->nz, sizeof(double), 1); // heights of grids
     add(&t, 1, options->history_size, 1, 1);
     add(&t, AREA_COUNT, l->nz, sizeof(sf_rect), 1);
-    // Operators: what preserve keeps and the slices it sweeps; distances on the bed.
+    // Operators: what preserve keeps and the slices it sweeps; braces; distances on the bed.
     add(&t, 1, row, l->ny, l->nz);
     add(&t, 32, row, l->ny, 1);
+    add(&t, SFI_LEAN_PLANES, (size_t)l->nx / 64 + 2, (size_t)l->ny + 4, sizeof(uint64_t));
     add(&t, 1, area, 24, 1);
     add(&t, 1, (size_t)l->nx + l->nz, 64, 1);
     if (!sfi_rule_is_element(&options->rule)) {

@@ -1,100 +1,116 @@
 // SPDX-License-Identifier: MIT
-// How near the voxels of a slice are to what stands in it, in steps of an element.
+// How near the voxels of a patch are to what stands in it, in steps of an element.
 //
 // By dilating again and again, ring after ring. For the square and the plus, which are the steps of
-// nearly all rules, a ring is one pass over words: dilation, rectangle, what is new and whether
-// anything is. Windows are a few words wide, so that calls of kernels would cost more than they do.
+// nearly all rules, a ring is two passes over a string of words: wider, and then what is new; other
+// elements are dilated as slices are.
+//
+// What is d steps away is told by what lies within d steps of it. So where a patch ends `limit`
+// steps beside what is wanted, that many rings are right there, and ring d is asked for only within
+// limit - d steps of it.
 
 #include "sculpt/near.h"
+
+#include <string.h>
 
 #include "base/status.h"
 #include "voxel/slice.h"
 
-// A word with its neighbours along the row.
-static uint64_t widen(const uint64_t *row, size_t i, size_t words)
+static uint64_t *row_of(const sfi_patch *p, uint64_t *plane, uint32_t y)
 {
-    uint64_t low = i > 0 ? row[i - 1] >> 63 : 0, high = i + 1 < words ? row[i + 1] << 63 : 0;
-    return row[i] | row[i] << 1 | row[i] >> 1 | low | high;
+    return plane + y * p->stride;
 }
 
-// to = from and one step more; what is new also goes into the ring. Returns what was new anywhere.
-static uint64_t grow(sf_slice to, sf_slice from, sf_slice within, sf_slice ring, int is_square)
+static void fill_inside(const sfi_near *n)
 {
-    size_t words = sfi_row_words(from.width);
-    uint64_t any = 0;
-    for (uint32_t y = 0; y < from.height; y++) {
-        const uint64_t *here = sfi_slice_row(from, y);
-        const uint64_t *below = y > 0 ? sfi_slice_row(from, y - 1) : here;
-        const uint64_t *above = y + 1 < from.height ? sfi_slice_row(from, y + 1) : here;
-        const uint64_t *inside = sfi_slice_row(within, y);
-        uint64_t *out = sfi_slice_row(to, y), *band = sfi_slice_row(ring, y);
-        for (size_t i = 0; i < words; i++) {
-            uint64_t beside =
-                is_square ? widen(below, i, words) | widen(above, i, words) : below[i] | above[i];
-            uint64_t fresh = (widen(here, i, words) | beside) & inside[i] & ~here[i];
-            out[i] = here[i] | fresh;
-            band[i] |= fresh;
-            any |= fresh;
-        }
+    const sfi_patch *p = &n->patch;
+    uint64_t tail = (UINT64_C(1) << (p->rect.x1 - p->rect.x0) % 64) - 1;
+    for (uint32_t y = 0; y < p->height; y++) {
+        uint64_t *row = row_of(p, n->inside, y);
+        memset(row, 0xff, (p->stride - 1) * sizeof *row);
+        row[p->stride - 1] = tail;
+    }
+}
+
+// The rows that ring d is asked for.
+static sfi_rows rows_of_ring(const sfi_near *n, uint32_t d)
+{
+    sfi_rows all = {0, n->patch.height};
+    if (n->limit == 0) {
+        return all;
+    }
+    sfi_rows rows = sfi_rows_grow(n->rows, (int64_t)(n->limit - d) * n->element->reach_y);
+    rows.first = rows.first > all.first ? rows.first : all.first;
+    rows.end = rows.end < all.end ? rows.end : all.end;
+    return rows;
+}
+
+// other = reached and one step more, of a plus or a square; what is new also goes into the ring.
+// Returns what was new anywhere.
+static uint64_t step_small(const sfi_near *n, sfi_step_shape shape, uint64_t *into, sfi_rows rows)
+{
+    int64_t stride = (int64_t)n->patch.stride;
+    const uint64_t *from = n->reached, *inside = n->inside, *wide = n->wide;
+    const uint64_t *beside = shape == SFI_STEP_SQUARE ? wide : from;
+    uint64_t *restrict out = n->other, *restrict ring = into, any = 0;
+    sfi_patch_widen(&n->patch, n->wide, from, sfi_rows_grow(rows, 1));
+    for (int64_t i = rows.first * stride; i < rows.end * stride; i++) {
+        uint64_t fresh = (wide[i] | beside[i - stride] | beside[i + stride]) & inside[i] & ~from[i];
+        out[i] = from[i] | fresh;
+        ring[i] |= fresh;
+        any |= fresh;
     }
     return any;
 }
 
-static int is_all_in(sf_slice wanted, sf_slice reached)
-{
-    size_t words = sfi_row_words(wanted.width);
-    uint64_t missing = 0;
-    for (uint32_t y = 0; y < wanted.height; y++) {
-        const uint64_t *a = sfi_slice_row(wanted, y), *b = sfi_slice_row(reached, y);
-        for (size_t i = 0; i < words; i++) {
-            missing |= a[i] & ~b[i];
-        }
-    }
-    return missing == 0;
-}
-
 // The same for any element.
-static sf_status grow_any(const sf_element *e, sf_slice to, sf_slice from, sf_slice within,
-                          sf_slice ring, uint64_t *any)
+static sf_status step_any(const sfi_near *n, uint64_t *ring, uint64_t *any)
 {
-    SF_TRY(sf_slice_dilate(to, from, e, SF_BORDER_EMPTY));
+    const sfi_patch *p = &n->patch;
+    SF_TRY(sf_slice_dilate(sfi_patch_slice(p, n->other), sfi_patch_slice(p, n->reached), n->element,
+                           SF_BORDER_EMPTY));
     *any = 0;
-    for (uint32_t y = 0; y < to.height; y++) {
-        const uint64_t *here = sfi_slice_row(from, y), *inside = sfi_slice_row(within, y);
-        uint64_t *out = sfi_slice_row(to, y), *band = sfi_slice_row(ring, y);
-        for (size_t i = 0; i < sfi_row_words(to.width); i++) {
-            uint64_t fresh = out[i] & inside[i] & ~here[i];
-            out[i] = here[i] | fresh;
-            band[i] |= fresh;
-            *any |= fresh;
-        }
+    for (size_t i = 0; i < p->stride * p->height; i++) {
+        uint64_t fresh = n->other[i] & n->inside[i] & ~n->reached[i];
+        n->other[i] = n->reached[i] | fresh;
+        ring[i] |= fresh;
+        *any |= fresh;
     }
     return SF_OK;
 }
 
-sf_status sfi_find_near(const sf_element *element, sf_slice fixed, sf_slice within, sf_slice wanted,
-                        const sf_slice rings[3], sf_slice reached, sf_slice scratch)
+static int is_all_reached(const sfi_near *n)
 {
-    const sf_element *e = element;
-    int is_small = e->reach_y == 1 && e->half_width[0] == 1 && e->half_width[1] <= 1;
-    SF_TRY(sf_slice_and(reached, fixed, within));
-    SF_TRY(sf_slice_copy(rings[0], reached));
-    for (int i = 1; i < 3; i++) {
-        sfi_slice_clear(rings[i]);
+    int64_t stride = (int64_t)n->patch.stride;
+    uint64_t missing = 0;
+    for (int64_t i = n->rows.first * stride; i < n->rows.end * stride; i++) {
+        missing |= n->wanted[i] & ~n->reached[i];
     }
-    for (int d = 1; !is_all_in(wanted, reached); d++) {
-        uint64_t any = 0;
-        if (is_small) {
-            any = grow(scratch, reached, within, rings[d % 3], e->half_width[1] == 1);
+    return missing == 0;
+}
+
+sf_status sfi_find_near(sfi_near *near, uint32_t *steps, int *is_all)
+{
+    const sfi_patch *p = &near->patch;
+    size_t bytes = p->stride * p->height * sizeof(uint64_t);
+    sfi_step_shape shape = sfi_step_shape_of(near->element);
+    uint64_t any = 1;
+    fill_inside(near);
+    memcpy(near->rings[0], near->reached, bytes);
+    *is_all = is_all_reached(near);
+    uint32_t d = 0;
+    while (!*is_all && any != 0 && (near->limit == 0 || d < near->limit)) {
+        d++;
+        if (shape != SFI_STEP_OTHER) {
+            any = step_small(near, shape, near->rings[d % 3], rows_of_ring(near, d));
         } else {
-            SF_TRY(grow_any(e, scratch, reached, within, rings[d % 3], &any));
+            SF_TRY(step_any(near, near->rings[d % 3], &any));
         }
-        if (any == 0) {
-            break;
-        }
-        sf_slice swap = reached;
-        reached = scratch;
-        scratch = swap;
+        uint64_t *swap = near->reached;
+        near->reached = near->other;
+        near->other = swap;
+        *is_all = is_all_reached(near);
     }
+    *steps = d;
     return SF_OK;
 }

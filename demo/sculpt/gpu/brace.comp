@@ -11,7 +11,7 @@
 // Distances are told by fronts that go out from F, ring after ring, within the rectangle around the
 // tips and a tip's width more; modulo 3 they are three bits a voxel. Then the cover of preserve.comp
 // is made, for each of the three. One work group sweeps down. The box of what changes becomes the
-// one around X. Mirrors sfi_brace() of libsf/sculpt/brace.c and sfi_find_near() of near.c.
+// one around X. Mirrors sfi_brace() of libsf/sculpt/brace.c and sfi_lean_down() of lean.c.
 //
 // A front is read with its neighbours and the next one is written elsewhere; rings are read and
 // written by whoever has the word, so a ring costs one wait.
