@@ -37,11 +37,11 @@ for source in libsf/*/*.c libsf/*/*/*.c; do
 done
 scenes=
 for source in demo/scenes/*.c; do
-    scenes="$scenes$(compile "$source" -Idemo/scenes)"
+    scenes="$scenes$(compile "$source" -Idemo/scenes -Idemo/shade)"
 done
 program=
 for source in demo/sf/*.c; do
-    program="$program$(compile "$source" -D_XOPEN_SOURCE=700 -Idemo/scenes)"
+    program="$program$(compile "$source" -D_XOPEN_SOURCE=700 -Idemo/scenes -Idemo/shade)"
 done
 # shellcheck disable=SC2086
 $cc $program $scenes $library -lm -lpthread -o "$out/sf"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sf: the command line of libsf. Finds the verb, runs it, prints its report.
 
+#include "cli.h"
 #include "progress.h"
 #include "verbs.h"
 
@@ -134,7 +135,7 @@ static exit_status refuse_verb(const char *name, int json)
     return status;
 }
 
-int main(int argc, char **argv)
+int sf_cli_main(int argc, char **argv)
 {
     const char *name = argc > 1 ? argv[1] : "--help";
     if (strcmp(name, "--version") == 0) {

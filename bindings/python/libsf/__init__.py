@@ -1,0 +1,33 @@
+"""Shapes that print without supports, stand when they should, and grade between materials.
+
+    import libsf
+    mesh = libsf.Mesh.load("part.stl")
+    grid = libsf.voxelize(mesh, pitch_mm=0.2)
+    if not libsf.check(grid, "octagon"):
+        grid = libsf.repair(grid, "octagon").grid
+
+Arrays are numpy's, in (layer, y, x) order; lengths are in mm, angles in radians where a name ends
+in `_rad`. A long call takes `progress=` (a function, or tqdm's bar) and `threads=`.
+"""
+
+from __future__ import annotations
+
+from ._core import ffi as _ffi
+from ._core import lib as _lib
+from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
+                     InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
+                     UnsupportedError)
+from .mesh import Fill, Mesh, surface, voxelize
+from .support import (Checked, Checker, Grown, Landing, Preserved, Repaired, Rule, Trimmed, check,
+                      grow, preserve, repair, trim, unsupported)
+from .voxel import Grid, Lattice
+
+__version__: str = _ffi.string(_lib.sf_version()).decode()
+
+__all__ = [
+    "ArgumentError", "CancelledError", "CapacityError", "Checked", "Checker", "Error", "FileError",
+    "Fill", "FormatError", "Grid", "Grown", "InfeasibleError", "InternalError", "Landing",
+    "Lattice", "Mesh", "OutOfMemoryError", "Preserved", "Repaired", "Rule", "ShapeError",
+    "TooLargeError", "Trimmed", "UnsupportedError", "check", "grow", "preserve", "repair",
+    "surface", "trim", "unsupported", "voxelize",
+]

@@ -1,0 +1,207 @@
+"""Meshes: triangles in and out as numpy arrays, voxels of them, and surfaces of voxels."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _types
+from ._core import Progress, documented, ffi, lib, ok, running
+from ._types import Fill, MeshFormat
+from .voxel import Grid, Lattice
+
+
+class Mesh:
+    """Triangles: vertices in mm, (n, 3) float64, and faces, (m, 3) uint32.
+
+    Takes trimesh's and meshio's objects as they are, and anything that has `vertices` and `faces`,
+    or `points` and `cells_dict["triangle"]`.
+    """
+
+    _c: Any
+
+    @documented("sf_mesh_add_vertices", "sf_mesh_add_triangles")
+    def __init__(self, vertices: Any, faces: Any = None) -> None:
+        if faces is None:
+            vertices, faces = _parts_of(vertices)
+        vertices = _core.array_in(_plain(vertices, np.float64), np.float64, (None, 3), "vertices")
+        faces = _core.array_in(_plain(faces, np.uint32), np.uint32, (None, 3), "faces")
+        made = ffi.new("sf_mesh **")
+        ok(lib.sf_mesh_create(ffi.NULL, made))
+        self._take(made[0])
+        ok(lib.sf_mesh_add_vertices(self._c, _core.pointer("double", vertices), len(vertices)))
+        ok(lib.sf_mesh_add_triangles(self._c, _core.pointer("uint32_t", faces), len(faces)))
+        fault = _core.new_fault()
+        ok(lib.sf_mesh_validate(self._view, fault), fault)
+
+    def _take(self, c: Any) -> None:
+        self._c = ffi.gc(c, lib.sf_mesh_destroy)
+
+    @classmethod
+    def _of(cls, c: Any) -> Mesh:
+        """A mesh of the library's, which it becomes the owner of."""
+        mesh = cls.__new__(cls)
+        mesh._take(c)
+        return mesh
+
+    @classmethod
+    def _copied(cls, view: Any) -> Mesh:
+        """A copy of what a view shows."""
+        vertices = _core.memory(view.vertices, "float64", (view.vertex_count, 3), None)
+        faces = _core.memory(view.triangles, "uint32", (view.triangle_count, 3), None)
+        return cls(vertices, faces)
+
+    @property
+    def _view(self) -> Any:
+        return lib.sf_mesh_get_view(self._c)
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]:
+        """(n, 3), mm; the mesh's own memory, to be read."""
+        v = self._view
+        return _core.memory(v.vertices, "float64", (v.vertex_count, 3), self._c)
+
+    @property
+    def faces(self) -> npt.NDArray[np.uint32]:
+        """(m, 3), counter-clockwise seen from outside; the mesh's own memory, to be read."""
+        v = self._view
+        return _core.memory(v.triangles, "uint32", (v.triangle_count, 3), self._c)
+
+    @documented("sf_mesh_bounds")
+    def bounds(self) -> npt.NDArray[np.float64]:
+        """The box around it: (2, 3), mm."""
+        low, high = ffi.new("double[3]"), ffi.new("double[3]")
+        ok(lib.sf_mesh_bounds(self._view, low, high))
+        return np.array([list(low), list(high)])
+
+    @documented("sf_mesh_measure")
+    def measure(self) -> _types.Mass:
+        """Volume, area, centre of mass and inertia."""
+        found = ffi.new("sf_mass *")
+        ok(lib.sf_mesh_measure(self._view, found))
+        return _core.value(found)  # type: ignore[no-any-return]
+
+    @documented("sf_mesh_analyze")
+    def topology(self) -> _types.Topology:
+        """Whether it is closed, and the rest of how it hangs together."""
+        found = ffi.new("sf_topology *")
+        ok(lib.sf_mesh_analyze(self._view, ffi.NULL, found))
+        return _core.value(found)  # type: ignore[no-any-return]
+
+    @documented("sf_mesh_transform")
+    def transformed(self, matrix: Any) -> Mesh:
+        """A copy that a 3 x 3, 3 x 4 or 4 x 4 matrix has moved."""
+        m = np.asarray(matrix, np.float64)
+        if m.shape not in ((3, 3), (3, 4), (4, 4)):
+            raise ValueError(f"matrix: its shape is {m.shape}, and (3, 3), (3, 4) or (4, 4) is needed")
+        if m.shape == (4, 4) and not np.allclose(m[3], (0, 0, 0, 1)):
+            raise ValueError("matrix: its last row is not 0, 0, 0, 1")
+        copy = Mesh(np.array(self.vertices), np.array(self.faces))
+        c = ffi.new("sf_transform *")
+        c.matrix = [float(x) for x in m[:3, :3].reshape(-1)]
+        c.shift_mm = [float(x) for x in (m[:3, 3] if m.shape[1] == 4 else (0, 0, 0))]
+        ok(lib.sf_mesh_transform(copy._c, c))
+        return copy
+
+    @documented("sf_mesh_read")
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Mesh:
+        """Read STL, OBJ, PLY or OFF, by the file's content and name."""
+        name, fault = os.fsencode(path), _core.new_fault()
+        file, made = ffi.new("sf_file **"), ffi.new("sf_mesh **")
+        ok(lib.sf_file_open(name, ffi.NULL, file, fault), fault)
+        try:
+            ok(lib.sf_mesh_read(lib.sf_file_source(file[0]), lib.sf_mesh_format_from_name(name),
+                                ffi.NULL, ffi.NULL, made, fault), fault)
+        finally:
+            lib.sf_file_close(file[0])
+        return cls._of(made[0])
+
+    @documented("sf_mesh_write")
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write STL, OBJ or PLY, by the ending of the name; whole or not at all."""
+        name, fault = os.fsencode(path), _core.new_fault()
+        kind = lib.sf_mesh_format_from_name(name)
+        if kind in (MeshFormat.AUTO, MeshFormat.OFF):
+            raise ValueError(f"{os.fspath(path)}: give a name that ends in .stl, .obj or .ply")
+        save = ffi.new("sf_save **")
+        ok(lib.sf_save_begin(name, ffi.NULL, save, fault), fault)
+        status = lib.sf_mesh_write(self._view, kind, lib.sf_save_sink(save[0]))
+        if status != 0:
+            lib.sf_save_abort(save[0])
+            ok(status)
+        ok(lib.sf_save_commit(save[0], fault), fault)
+
+    def to_trimesh(self) -> Any:
+        """The same as a trimesh.Trimesh."""
+        import trimesh
+
+        return trimesh.Trimesh(np.array(self.vertices), np.array(self.faces, np.int64), process=False)
+
+    def to_meshio(self) -> Any:
+        """The same as a meshio.Mesh."""
+        import meshio
+
+        return meshio.Mesh(np.array(self.vertices), [("triangle", np.array(self.faces))])
+
+    def __repr__(self) -> str:
+        v = self._view
+        return f"<libsf.Mesh {v.vertex_count} vertices, {v.triangle_count} faces>"
+
+
+def _plain(array: Any, dtype: npt.DTypeLike) -> Any:
+    """Subclasses of arrays, as trimesh has them, and faces of other integers, which must fit."""
+    if isinstance(array, np.ndarray):
+        array = np.asarray(array)
+        if array.dtype.kind in "iu" and np.dtype(dtype).kind == "u" and array.dtype != dtype:
+            if array.size > 0 and (array.min() < 0 or array.max() > np.iinfo(np.uint32).max):
+                raise ValueError("faces: a number is below 0 or beyond 32 bits")
+            return np.ascontiguousarray(array, dtype)
+    return array
+
+
+def _parts_of(other: Any) -> tuple[Any, Any]:
+    if hasattr(other, "vertices") and hasattr(other, "faces"):
+        return other.vertices, other.faces
+    if hasattr(other, "points") and hasattr(other, "cells_dict"):
+        return other.points, other.cells_dict["triangle"]
+    raise TypeError("give vertices and faces, or an object that has them, as trimesh's and meshio's do")
+
+
+def as_mesh(mesh: Any) -> Mesh:
+    """What was handed in as a mesh of ours."""
+    return mesh if isinstance(mesh, Mesh) else Mesh(mesh)
+
+
+@documented("sf_grid_voxelize")
+def voxelize(mesh: Any, lattice: Lattice | None = None, *, pitch_mm: float | None = None,
+             layer_mm: float | None = None, fill: Fill | None = None, progress: Progress = None,
+             threads: int | None = 1) -> Grid:
+    """The voxels whose centres lie in a mesh: on a lattice, or on one of a pitch around it."""
+    mesh = as_mesh(mesh)
+    if lattice is None:
+        if pitch_mm is None:
+            raise TypeError("give a lattice, or a pitch_mm")
+        low, high = mesh.bounds()
+        lattice = Lattice.around(low, high, pitch_mm, layer_mm)
+    grid = Grid(lattice)
+    options = _core.options("sf_voxelize_options", fill=fill)
+    with running(progress, threads) as task:
+        ok(lib.sf_grid_voxelize(grid._c, mesh._view, options, ffi.NULL, task, ffi.NULL))
+    return grid
+
+
+@documented("sf_grid_surface")
+def surface(grid: Grid, *, smooth_passes: int = 0, progress: Progress = None) -> Mesh:
+    """The boundary of the solid voxels, closed, as it is or smoothed."""
+    made = ffi.new("sf_mesh **")
+    options = _core.options("sf_surface_options", smooth_passes=smooth_passes)
+    with running(progress) as task:
+        ok(lib.sf_grid_surface(grid._c, options, ffi.NULL, task, made))
+    return Mesh._of(made[0])
+
+
+__all__ = ["Fill", "Mesh", "surface", "voxelize"]

@@ -1,0 +1,251 @@
+"""What Python may rely on: no copies behind its back, clear refusals, no leaks, a free lock, and
+calls that stop when they are asked to."""
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import tracemalloc
+import unittest
+
+import numpy as np
+
+import libsf
+from libsf import _core
+
+
+def ball(n, radius):
+    z, y, x = np.indices((n, n, n)) - (n - 1) / 2
+    return x * x + y * y + z * z <= radius * radius
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+class Arrays(unittest.TestCase):
+    def test_words_are_the_grids_own_memory(self):
+        grid = libsf.Grid(libsf.Lattice(70, 5, 4))
+        first, again = grid.words, grid.words
+        self.assertEqual(address(first), address(again))
+        self.assertEqual(address(first), int(_core.ffi.cast("uintptr_t", _core.lib.sf_grid_slice(grid._c, 0).words)))
+        for k in range(4):
+            self.assertEqual(address(first[k]), int(_core.ffi.cast("uintptr_t", _core.lib.sf_grid_slice(grid._c, k).words)))
+        first[2, 3, 1] = 0b100
+        self.assertTrue(grid[2, 3, 66])
+        self.assertEqual(grid.count(), 1)
+
+    def test_words_keep_the_grid_alive(self):
+        words = libsf.Grid.from_array(np.ones((3, 4, 64), bool)).words
+        gc.collect()
+        self.assertTrue((words[:, :, 0] == 2**64 - 1).all())
+
+    def test_meshes_are_seen_and_not_copied(self):
+        mesh = libsf.Mesh(np.eye(3), [[0, 1, 2]])
+        self.assertEqual(address(mesh.vertices), address(mesh.vertices))
+        self.assertFalse(mesh.vertices.flags.writeable)
+        self.assertEqual(address(mesh.vertices), int(_core.ffi.cast("uintptr_t", mesh._view.vertices)))
+
+    def test_arrays_go_in_where_they_are(self):
+        array = np.zeros((7, 3))
+        self.assertEqual(address(_core.array_in(array, np.float64, (None, 3), "a")), address(array))
+        self.assertEqual(int(_core.ffi.cast("uintptr_t", _core.pointer("double", array))), address(array))
+
+    def test_bools_come_back(self):
+        rng = np.random.default_rng(1)
+        for shape in [(1, 1, 1), (3, 5, 63), (2, 3, 64), (4, 2, 65), (5, 7, 130)]:
+            array = rng.random(shape) < 0.4
+            grid = libsf.Grid.from_array(array)
+            self.assertEqual(grid.shape, shape)
+            np.testing.assert_array_equal(grid.array(), array)
+            out = np.ones(shape, bool)
+            self.assertIs(grid.array(out=out), out)
+            np.testing.assert_array_equal(out, array)
+            self.assertEqual(grid.count(), array.sum())
+            np.testing.assert_array_equal(np.asarray(grid), array)
+
+    def test_wrong_arrays_are_refused_with_a_sentence(self):
+        grid = libsf.Grid(libsf.Lattice(4, 3, 2))
+        wrong = [
+            (TypeError, "float64", lambda: libsf.Grid.from_array(np.zeros((2, 3, 4)))),
+            (ValueError, "axes", lambda: libsf.Grid.from_array(np.zeros((3, 4), bool))),
+            (ValueError, "shape", lambda: grid.set_array(np.zeros((4, 3, 2), bool))),
+            (ValueError, "shape", lambda: grid.array(out=np.zeros((4, 3, 2), bool))),
+            (TypeError, "uint8", lambda: grid.array(out=np.zeros((2, 3, 4), np.uint8))),
+            (TypeError, "numpy array", lambda: grid.array(out=[1])),
+            (TypeError, "ascontiguousarray", lambda: libsf.Mesh(np.zeros((3, 3), np.float32), [[0, 1, 2]])),
+            (ValueError, "C order", lambda: libsf.Mesh(np.asfortranarray(np.random.random((3, 3))), [[0, 1, 2]])),
+            (ValueError, "shape", lambda: libsf.Mesh(np.zeros((3, 2)), [[0, 1, 2]])),
+            (TypeError, "layer, y, x", lambda: grid[1]),
+            (IndexError, "voxel", lambda: grid[2, 0, 0]),
+            (TypeError, "no option", lambda: _core.options("sf_repair_options", gadget=1)),
+        ]
+        for kind, words, call in wrong:
+            with self.subTest(words=words), self.assertRaisesRegex(kind, words):
+                call()
+        frozen = np.zeros((2, 3, 4), bool)
+        frozen.flags.writeable = False
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            grid.array(out=frozen)
+        np.testing.assert_array_equal(libsf.Grid.from_array(frozen).array(), frozen)
+
+    def test_statuses_are_exceptions(self):
+        with self.assertRaises(libsf.ArgumentError):
+            libsf.Lattice(0, 1, 1)
+        with self.assertRaises(ValueError):  # as a Python user would expect
+            libsf.Lattice(1, 1, 1, -1)
+        with self.assertRaises(libsf.ShapeError):
+            libsf.preserve(libsf.Grid(libsf.Lattice(3, 3, 3)), libsf.Grid(libsf.Lattice(3, 3, 4)))
+        with self.assertRaises(libsf.FileError) as caught:
+            libsf.Mesh.load("there_is_none.stl")
+        self.assertIsInstance(caught.exception, OSError)
+        self.assertIn("there_is_none.stl", str(caught.exception))
+        with self.assertRaises(libsf.ArgumentError):
+            libsf.Rule.named("pentagon")
+        with self.assertRaises(libsf.ArgumentError):
+            libsf.Mesh(np.zeros((3, 3)), [[0, 1, 3]])
+
+
+class Tasks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.grid = libsf.Grid.from_array(ball(192, 90))
+
+    def test_progress_rises_to_one(self):
+        shares = []
+        libsf.check(self.grid, "octagon", progress=shares.append)
+        self.assertEqual(shares, sorted(shares))
+        self.assertGreater(len(shares), 20)
+        self.assertAlmostEqual(shares[-1], 1)
+
+    def test_bars_like_tqdms(self):
+        class Bar:
+            total, n = 50, 0
+
+            def update(self, by):
+                self.n += by
+
+        bar = Bar()
+        libsf.trim(self.grid, progress=bar)
+        self.assertAlmostEqual(bar.n, 50)
+        with self.assertRaises(TypeError):
+            libsf.trim(self.grid, progress=3)
+
+    def test_an_exception_in_progress_stops_the_call(self):
+        class Enough(Exception):
+            pass
+
+        def stop(share):
+            raise Enough(share)
+
+        before = self.grid.copy()
+        with self.assertRaises(Enough) as caught:
+            libsf.repair(self.grid, "octagon", progress=stop)
+        self.assertLess(caught.exception.args[0], 1)
+        self.assertEqual(self.grid, before)
+
+    def test_threads_give_the_same(self):
+        one = libsf.repair(self.grid, "octagon")
+        four = libsf.repair(self.grid, "octagon", threads=4)
+        self.assertEqual(one.grid, four.grid)
+        self.assertEqual(one.report.cost, four.report.cost)
+
+    def test_the_lock_is_free_while_the_library_works(self):
+        ticks, done = [0], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks[0] += 1
+                time.sleep(0.0005)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        start = time.perf_counter()
+        libsf.repair(self.grid, "octagon")
+        seconds = time.perf_counter() - start
+        done.set()
+        thread.join()
+        if seconds > 0.05:
+            self.assertGreater(ticks[0], 5)
+
+    def test_control_c_stops_a_long_call(self):
+        code = ("import libsf, numpy, sys, time\n"
+                "g = libsf.Grid.from_array(numpy.random.default_rng(1).random((300, 300, 300)) < 0.5)\n"
+                "print('go', flush=True)\n"
+                "try:\n"
+                "    while True: libsf.repair(g, 'octagon')\n"
+                "except KeyboardInterrupt: print(time.time(), flush=True)\n")
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(child.stdout.readline(), "go\n")
+        time.sleep(0.4)
+        asked = time.time()
+        child.send_signal(signal.SIGINT)
+        answered = float(child.stdout.readline())
+        child.stdout.close()
+        self.assertEqual(child.wait(10), 0)
+        print(f"# stopped after {1000 * (answered - asked):.0f} ms")
+        self.assertLess(answered - asked, 5)  # 0.1 s is asked for; a loaded machine may take longer
+
+
+class Leaks(unittest.TestCase):
+    def test_nothing_is_lost_in_many_calls(self):
+        lattice = libsf.Lattice(9, 8, 7)
+        grid = libsf.Grid.from_array(np.ones((7, 8, 9), bool))
+
+        def calls(n):
+            for _ in range(n):
+                g = libsf.Grid(lattice)
+                g.set_array(g.array())
+                g.words
+                grid.count()
+                libsf.check(grid, "octagon")
+                libsf.trim(grid)
+                try:
+                    libsf.Grid.from_array(np.zeros((1, 1), bool))
+                except ValueError:
+                    pass
+
+        calls(500)
+        gc.collect()
+        tracemalloc.start()
+        before, resident = tracemalloc.get_traced_memory()[0], self.resident()
+        calls(int(os.environ.get("SF_LEAK_CALLS", "3000")))
+        gc.collect()
+        after, now = tracemalloc.get_traced_memory()[0], self.resident()
+        tracemalloc.stop()
+        print(f"# {after - before} bytes traced, {now - resident} kB resident")
+        self.assertLess(after - before, 100_000)
+        self.assertLess(now - resident, 4_000)
+
+    @staticmethod
+    def resident():
+        with open("/proc/self/status", encoding="ascii") as file:
+            return next(int(line.split()[1]) for line in file if line.startswith("VmRSS"))
+
+
+class CommandLine(unittest.TestCase):
+    def run_sf(self, *words):
+        return subprocess.run([sys.executable, "-m", "libsf", *words], capture_output=True, text=True, check=False)
+
+    def test_it_is_the_program(self):
+        done = self.run_sf("--version")
+        self.assertEqual((done.returncode, done.stdout), (0, f"sf {libsf.__version__}\n"))
+        self.assertEqual(self.run_sf("nonsense").returncode, 2)
+        done = self.run_sf("check", "--help")
+        self.assertIn("support", done.stdout)
+
+
+class Words(unittest.TestCase):
+    def test_docstrings_are_the_headers(self):
+        self.assertIn("largest support-free part", libsf.trim.__doc__)
+        self.assertIn("SF_ERR_CANCELLED", libsf.check.__doc__)
+        for name in libsf.__all__:
+            with self.subTest(name=name):
+                self.assertTrue(getattr(libsf, name).__doc__)
+
+
+if __name__ == "__main__":
+    unittest.main()
