@@ -11,14 +11,16 @@ CODES = re.compile(r"\bSF_(?:OK|ERR_[A-Z]+)\b")
 
 
 def paragraphs(text):
-    """Lines joined into paragraphs, which a blank line parts; indented ones are kept."""
+    """Lines joined into paragraphs, which a blank line parts; indented ones are kept, and an item of
+    a list, which begins with a dash, has a line of its own."""
     done = []
     for part in re.split(r"\n[ \t]*\n", text.strip("\n")):
         lines = part.split("\n")
         if all(line.startswith("   ") for line in lines):
             done.append("\n".join(line.rstrip() for line in lines))
             continue
-        done.append(" ".join(line.strip() for line in lines).strip())
+        stripped = [line.strip() for line in lines]
+        done.append(re.sub(r"\n(?!- )", " ", "\n".join(stripped)).strip())
     return "\n\n".join(p for p in done if p)
 
 

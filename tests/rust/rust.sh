@@ -1,0 +1,74 @@
+# Why: the crate is another way to build libsf and another reader of its interface, and nobody who works
+# on the library runs it. Its own tests are run here, on the library that it compiles and on the one that
+# this build has made; that its committed externs are those of the interface, and that the archive that
+# is published holds every source, is tried as well.
+# usage: rust.sh SOURCE BUILD CARGO PYTHON SYSTEM; SYSTEM is yes where this build's library can be linked to
+set -u
+source=$1 build=$2 cargo=$3 python=$4 system=$5
+here=$build/rust
+count=0 failures=0
+
+ok() {
+    count=$((count + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $count - $2"
+    else
+        failures=$((failures + 1))
+        echo "not ok $count - $2"
+        sed 's/^/#   /' "$here/log" | tail -40
+    fi
+}
+
+skip() {
+    count=$((count + 1))
+    echo "ok $count - $1 # SKIP $2"
+}
+
+mkdir -p "$here"
+if [ -n "$python" ]; then
+    "$python" -B "$source/bindings/rust/generate.py" "$source" --check >"$here/log" 2>&1
+    ok $? "the externs are those of api.json"
+else
+    skip "the externs are those of api.json" "python3 is not installed"
+fi
+
+# Cargo writes beside what it builds, so it gets a copy; the sources stay where they are.
+rm -rf "$here/crates"
+cp -Rp "$source/bindings/rust" "$here/crates"
+for link in vendor:libsf LICENSE:LICENSE; do
+    rm -f "$here/crates/libsf-sys/${link%:*}"
+    ln -s "$source/${link#*:}" "$here/crates/libsf-sys/${link%:*}"
+    # A link that looks new would have all of libsf compiled again.
+    touch -h -r "$source/meson.build" "$here/crates/libsf-sys/${link%:*}"
+done
+[ ! -f "$here/Cargo.lock" ] || cp -p "$here/Cargo.lock" "$here/crates/Cargo.lock"
+cd "$here/crates" || exit 99
+export CARGO_TARGET_DIR="$here/target" CARGO_TERM_COLOR=never
+if ! "$cargo" fetch >"$here/log" 2>&1; then
+    for what in "every source is in the archive" "the crate compiles libsf, and its tests pass" \
+        "its tests pass on this build's library"; do
+        skip "$what" "the crates that it is built with cannot be had"
+    done
+    echo "1..$count"
+    exit $((failures > 0))
+fi
+cp -p Cargo.lock "$here/Cargo.lock"
+
+# That a link to a folder is packed as its files is a habit of cargo's, not a promise.
+"$cargo" package --list --allow-dirty -p libsf-sys >"$here/list" 2>"$here/log"
+(cd "$source/libsf" && find . -name '*.[ch]' -o -name '*.inc') | sed 's:^\./:vendor/:' | sort >"$here/wanted"
+grep '^vendor/' "$here/list" | sort | diff "$here/wanted" - >"$here/log" && [ -s "$here/wanted" ]
+ok $? "every source is in the archive"
+
+"$cargo" test --offline >"$here/log" 2>&1 && grep -q '^test c_and_rust_agree_on_every_number ... ok' "$here/log"
+ok $? "the crate compiles libsf, and its tests pass"
+
+if [ "$system" = yes ]; then
+    PKG_CONFIG_PATH=$build/meson-uninstalled LD_LIBRARY_PATH=$build/libsf:$build/libsf/io \
+        "$cargo" test --offline --features system >"$here/log" 2>&1
+    ok $? "its tests pass on this build's library"
+else
+    skip "its tests pass on this build's library" "this build's library is not one to link to"
+fi
+echo "1..$count"
+exit $((failures > 0))
