@@ -87,7 +87,7 @@ def function(name, header, comment, value):
         returns["doc"] = said["return"]
     summary = comments.sentence(said["text"])
     found = {"name": name, "header": header, "library": library(header), "summary": summary,
-             "doc": said["text"][len(summary):].strip(),
+             "doc": said["text"][len(summary):].lstrip(" ").strip("\n"),
              "parameters": [parameter(p, said) for p in value["parameters"]], "returns": returns,
              "must_use": value["checked"]}
     found.update({tag: said[tag] for tag in ("cost", "threads", "source", "since") if tag in said})
@@ -168,6 +168,11 @@ def describe_owners(opaque, functions):
         plain = [e for e in ends if returns_nothing(functions, e)]
         o["destroy"] = plain[0] if len(plain) == 1 else None
         o["ends"] = ends
+        if not ends:
+            for f in functions:
+                for p in f["parameters"]:
+                    if points_to(p["type"], 2) == name:
+                        del p["owned"]
         o["makes"] = [f["name"] for f in functions
                       if any(points_to(p["type"], 2) == name for p in f["parameters"])]
 

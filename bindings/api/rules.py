@@ -83,6 +83,9 @@ def objects_begin_and_end(api):
             bad.append(f"nothing makes an {o['name']}")
         if o["destroy"] is None and "memory of the caller's" not in o["doc"]:
             bad.append(f"nothing ends an {o['name']}, or more than one call does: {o['ends']}")
+    ended = {o["name"] for o in api["opaque"] if o["ends"]}
+    bad += [f"{f['name']}: '{p['name']}' is owned, and nothing ends it" for f in api["functions"]
+            for p in f["parameters"] if p.get("owned") and model.points_to(p["type"], 2) not in ended]
     return bad
 
 

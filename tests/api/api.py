@@ -91,6 +91,18 @@ def is_whole(api):
     return bad
 
 
+def formats_are_kept(api):
+    """Lines of comments that show a format keep their indentation"""
+    wanted = 0
+    for header in api["headers"]:
+        text = read(os.path.join(SOURCE, "libsf", "include", header["name"]))
+        for comment in re.findall(r"^/\*\*(.*?)\*/", text, re.M | re.S):
+            wanted += len(re.findall(r"^ \*     *\S", comment.split("\n * @")[0], re.M))
+    kept = sum(line.startswith("    ") for kind in ("enums", "opaque", "callbacks", "structs", "functions")
+               for thing in api[kind] for line in thing["doc"].split("\n"))
+    return [] if kept == wanted else [f"{wanted} lines of headers are indented, {kept} of api.json"]
+
+
 def exceptions():
     found = {}
     for line in read(os.path.join(API, "exceptions.txt")).splitlines():
@@ -157,7 +169,8 @@ def rules_bite():
 def main():
     api = model.build(SOURCE)
     checks = [(is_current.__doc__, is_current()), (is_whole.__doc__, is_whole(api)),
-              (are_called.__doc__, are_called(api)), (rules_bite.__doc__, rules_bite())]
+              (formats_are_kept.__doc__, formats_are_kept(api)), (are_called.__doc__, are_called(api)),
+              (rules_bite.__doc__, rules_bite())]
     checks += [(rule.__doc__, rule(api)) for rule in rules.RULES]
     for number, (what, bad) in enumerate(checks, 1):
         if isinstance(bad, str):

@@ -7329,13 +7329,14 @@ extern "C" {
 
     /// Write stack.json, when all layers are there.
     ///
-    /// {"format": "libsf-stack", "version": 3, "units": "mm", "lattice": as sf_stack_write() has
-    /// it,
-    ///      "rule": null,
-    ///      "layers": {"pattern": "layer_%05u.png", "count": nz},
-    ///      "materials": \[{"index": 1, "name", "colour": "#rrggbb", "density_g_cm3" or null,
-    ///                     "voxels", "volume_mm3", "grams" or null}, ...\],
-    ///      "solid": "not 0", "row_order": "top_is_max_y"}
+    /// ```text
+    /// {"format": "libsf-stack", "version": 3, "units": "mm", "lattice": as sf_stack_write() has it,
+    ///  "rule": null,
+    ///  "layers": {"pattern": "layer_%05u.png", "count": nz},
+    ///  "materials": [{"index": 1, "name", "colour": "#rrggbb", "density_g_cm3" or null,
+    ///                 "voxels", "volume_mm3", "grams" or null}, ...],
+    ///  "solid": "not 0", "row_order": "top_is_max_y"}
+    /// ```
     ///
     /// - `layers`: the layers
     /// - `uses`: NULL, or receives what of each material there is
