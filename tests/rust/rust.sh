@@ -44,7 +44,8 @@ done
 [ ! -f "$here/Cargo.lock" ] || cp -p "$here/Cargo.lock" "$here/crates/Cargo.lock"
 cd "$here/crates" || exit 99
 export CARGO_TARGET_DIR="$here/target" CARGO_TERM_COLOR=never
-if ! "$cargo" fetch >"$here/log" 2>&1; then
+# A machine without a net is told so soon, and not after many tries.
+if ! CARGO_NET_RETRY=0 CARGO_HTTP_TIMEOUT=20 "$cargo" fetch >"$here/log" 2>&1; then
     for what in "every source is in the archive" "the crate compiles libsf, and its tests pass" \
         "its tests pass on this build's library"; do
         skip "$what" "the crates that it is built with cannot be had"
