@@ -1,0 +1,55 @@
+#!/bin/sh
+# The package as people get it: a source release, a wheel built from that alone, the wheel in an
+# environment that has nothing else, the tests there, and the same wheel in the oldest and the newest
+# Python at hand.
+#
+# usage: wheel.sh SOURCE FOLDER
+source=$1 folder=$2 count=0
+skip() {
+    echo "1..0 # SKIP $1"
+    exit 0
+}
+ok() {
+    count=$((count + 1))
+    if [ "$1" = 0 ]; then echo "ok $count - $2"; else
+        echo "not ok $count - $2"
+        sed 's/^/# /' "$folder/log" | tail -n 30
+        failed=1
+    fi
+}
+failed=0
+rm -rf "$folder"
+mkdir -p "$folder"
+python=python3
+[ -d "$source/.git" ] && command -v git >/dev/null || skip "a source release is made of a git checkout"
+$python -m venv "$folder/build" >"$folder/log" 2>&1 || skip "there is no python3-venv"
+"$folder/build/bin/pip" install -q --disable-pip-version-check build >"$folder/log" 2>&1 ||
+    skip "pip cannot install: there is no net"
+# A clone, because what is not committed is no part of a release.
+git clone -q "$source" "$folder/clone" >"$folder/log" 2>&1
+"$folder/build/bin/python" -m build --sdist -o "$folder/dist" "$folder/clone" >"$folder/log" 2>&1
+ok $? "a source release"
+"$folder/build/bin/pip" wheel -q --disable-pip-version-check --no-deps -w "$folder/dist" "$folder"/dist/libsf-*.tar.gz \
+    >"$folder/log" 2>&1
+ok $? "a wheel of it: $(ls "$folder/dist" | grep whl)"
+"$folder/build/bin/python" -m venv "$folder/clean" >"$folder/log" 2>&1
+"$folder/clean/bin/pip" install -q --disable-pip-version-check "$folder"/dist/libsf-*.whl hypothesis >"$folder/log" 2>&1
+ok $? "installed into a clean environment"
+for name in core laws mesh; do
+    (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python \
+        "$source/bindings/python/tests/tap.py" "test_$name") >"$folder/log" 2>&1
+    ok $? "and passes $name there: $(grep -c '^ok' "$folder/log") cases"
+done
+for version in 9 10 11 12 13 14; do
+    command -v "python3.$version" >/dev/null && "python3.$version" -c '' 2>/dev/null || continue
+    found="$found 3.$version"
+done
+for version in $(printf '%s\n' $found | sed -n '1p;$p' | uniq); do
+    "python$version" -m venv "$folder/v$version" >"$folder/log" 2>&1 &&
+        "$folder/v$version/bin/pip" install -q --disable-pip-version-check "$folder"/dist/libsf-*.whl >"$folder/log" 2>&1 &&
+        (cd "$folder" && "v$version/bin/python" -c 'import libsf, numpy
+assert libsf.check(libsf.Grid.from_array(numpy.ones((3, 3, 3), bool)))') >"$folder/log" 2>&1
+    ok $? "the same wheel in Python $version"
+done
+echo "1..$count"
+exit $failed
