@@ -115,33 +115,26 @@ void sfi_ring_end(sfi_step_writer *writer)
 // Reading
 // ---------------------------------------------------------------------------------------------
 
+// A reader of the step that begins here.
+static sfi_step_reader read_at(const sfi_ring *h, uint64_t at)
+{
+    sfi_step_reader reader = {place(h, at + LENGTH_SIZE), h->bytes, h->bytes + h->capacity};
+    return reader;
+}
+
 sfi_step_reader sfi_ring_back(sfi_ring *history)
 {
     history->here -= get_length(history, history->here - LENGTH_SIZE) + 2 * LENGTH_SIZE;
     history->undo_count--;
     history->redo_count++;
-    sfi_step_reader reader = {history, place(history, history->here + LENGTH_SIZE)};
-    return reader;
+    return read_at(history, history->here);
 }
 
 sfi_step_reader sfi_ring_forward(sfi_ring *history)
 {
-    sfi_step_reader reader = {history, place(history, history->here + LENGTH_SIZE)};
+    sfi_step_reader reader = read_at(history, history->here);
     history->here += get_length(history, history->here) + 2 * LENGTH_SIZE;
     history->undo_count++;
     history->redo_count--;
     return reader;
-}
-
-uint64_t sfi_step_get(sfi_step_reader *reader)
-{
-    uint64_t number = 0;
-    for (unsigned shift = 0;; shift += 7) {
-        uint8_t byte = *reader->place;
-        reader->place = next(reader->history, reader->place);
-        number |= (uint64_t)(byte & 127) << shift;
-        if (byte < 128) {
-            return number;
-        }
-    }
 }

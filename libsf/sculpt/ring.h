@@ -25,10 +25,9 @@ typedef struct sfi_step_writer {
     int is_full;    // it does not fit, even alone
 } sfi_step_writer;
 
-// A step being read.
+// A step being read: the next byte, and the ring's first and past its last.
 typedef struct sfi_step_reader {
-    const sfi_ring *history;
-    uint8_t *place;
+    const uint8_t *place, *bytes, *end;
 } sfi_step_reader;
 
 sfi_step_writer sfi_ring_begin(sfi_ring *history);
@@ -38,6 +37,19 @@ void sfi_ring_end(sfi_step_writer *writer);
 // The step before `here`, or the one after it, which must be there; moving `here` past it.
 sfi_step_reader sfi_ring_back(sfi_ring *history);
 sfi_step_reader sfi_ring_forward(sfi_ring *history);
-uint64_t sfi_step_get(sfi_step_reader *reader);
+
+// The next number. Here, so that whoever reads a whole step keeps its place in a register.
+static inline uint64_t sfi_step_get(sfi_step_reader *reader)
+{
+    uint64_t number = 0;
+    for (unsigned shift = 0;; shift += 7) {
+        uint8_t byte = *reader->place++;
+        reader->place = reader->place < reader->end ? reader->place : reader->bytes;
+        number |= (uint64_t)(byte & 127) << shift;
+        if (byte < 128) {
+            return number;
+        }
+    }
+}
 
 #endif

@@ -41,4 +41,11 @@ static inline void sfi_bytes_copy(uint8_t *row, const uint8_t *from, size_t i, u
     }
 }
 
+static inline uint64_t sfi_load_eight(const uint8_t *bytes)
+{
+    uint64_t word;
+    memcpy(&word, bytes, sizeof word);
+    return word;
+}
+
 #endif

@@ -200,7 +200,6 @@ void sfi_sculpt_commit(sf_sculpt *m, int keep_ghosts, sf_sculpt_change *change)
     }
     report(m, &m->called, change);
     (void)sfi_delta_write(m);
-    sfi_sculpt_copy(m, &m->before, &m->now, &m->touched);
     clear(m);
 }
 

@@ -89,12 +89,10 @@ sf_status sf_sculpt_drop_ghosts(sf_sculpt *model, sf_sculpt_change *change)
 // Undo and redo
 // ---------------------------------------------------------------------------------------------
 
-static void step(sf_sculpt *m, sfi_step_reader reader, sf_sculpt_change *change)
+static void step(const sf_sculpt *m, sfi_step_reader reader, sf_sculpt_change *change)
 {
     sf_sculpt_change made;
-    sfi_delta_apply(m, &reader, &made);
-    sfi_sculpt_copy(m, &m->before, &m->now, &m->touched);
-    sfi_touch_clear(&m->touched);
+    sfi_delta_apply(m, reader, &made);
     if (change != NULL) {
         *change = made;
     }

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIGURES_MAX 64
+#define FIGURES_MAX 128
 #define BUDGET_MS 1500.0 // of rounds, for one job
 
 typedef struct figure {

@@ -42,11 +42,11 @@ static void drop(snapshot *s)
     free(s->materials);
 }
 
-static sf_sculpt *make(size_t history_size, int keep_drawn)
+static sf_sculpt *make_wide(uint32_t nx, size_t history_size, int keep_drawn)
 {
     sf_sculpt *model = NULL;
     sf_sculpt_options options = sf_sculpt_options_default();
-    sf_lattice lattice = {50, 40, 40, 1, 1, 1, NULL, {0, 0, 0}};
+    sf_lattice lattice = {nx, 40, 40, 1, 1, 1, NULL, {0, 0, 0}};
     options.lattice = lattice;
     options.history_size = history_size;
     options.keep_drawn = keep_drawn;
@@ -54,12 +54,17 @@ static sf_sculpt *make(size_t history_size, int keep_drawn)
     return model;
 }
 
-// Whether the stroke became a step.
+static sf_sculpt *make(size_t history_size, int keep_drawn)
+{
+    return make_wide(50, history_size, keep_drawn);
+}
+
+// Whether the stroke became a step. In a wide grid its rows lie in several words.
 static int stroke(sf_sculpt *model)
 {
     sf_lattice l = sf_sculpt_options_of(model).lattice;
     sf_sculpt_history before = sf_sculpt_history_of(model);
-    random_stroke s = random_stroke_new(&l, 7);
+    random_stroke s = random_stroke_new(&l, l.nx / 7);
     CHECK(sf_sculpt_stroke(model, &s.brush, s.dabs, s.count, NULL) == SF_OK);
     random_stroke_free(&s);
     sf_sculpt_history after = sf_sculpt_history_of(model);
@@ -68,10 +73,10 @@ static int stroke(sf_sculpt *model)
 
 #define STEPS 60
 
-static void walk(int keep_drawn)
+static void walk(uint32_t nx, int keep_drawn)
 {
     snapshot at[STEPS + 1];
-    sf_sculpt *model = make(1 << 22, keep_drawn);
+    sf_sculpt *model = make_wide(nx, 1 << 22, keep_drawn);
     int here = 0, top;
     at[0] = take(model);
     while (here < STEPS) {
@@ -100,8 +105,10 @@ static void walk(int keep_drawn)
 
 static void back_and_forth(void)
 {
-    walk(0);
-    walk(1);
+    walk(50, 0);
+    walk(50, 1);
+    walk(400, 0);
+    walk(400, 1);
 }
 
 // Something new takes the place of what could be done again.
