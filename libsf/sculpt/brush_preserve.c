@@ -45,7 +45,9 @@ static void follow(sf_sculpt *m, sf_rect r, uint32_t y, uint32_t z)
 sf_status sfi_brush_preserve(sf_sculpt *m)
 {
     sfi_touch restored = {{0, 0, NULL}, m->in_tips, {0, 0, NULL}};
-    sfi_sculpt_copy(m, &m->now, &m->before, &restored);
+    if (!sfi_area_is_empty(&m->touched.printable)) {
+        sfi_sculpt_copy(m, &m->now, &m->before, &restored); // what earlier calls did
+    }
     SF_TRY(preserve(m));
     for (uint32_t z = m->in_tips.z0; z < m->in_tips.z1; z++) {
         sf_rect r = m->in_tips.rects[z];

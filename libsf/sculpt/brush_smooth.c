@@ -195,8 +195,10 @@ sf_status sfi_brush_smooth(sf_sculpt *m)
     }
     keep[0].words = words;
     keep[1].words = words + bytes / sizeof *words;
-    sfi_drawn_differences(m, &m->in_tips, &m->called); // of earlier calls, which go
-    sfi_sculpt_copy(m, &m->now, &m->before, &restored);
+    if (!sfi_area_is_empty(&m->touched.drawn) || !sfi_area_is_empty(&m->touched.material)) {
+        sfi_drawn_differences(m, &m->in_tips, &m->called); // of earlier calls, which go
+        sfi_sculpt_copy(m, &m->now, &m->before, &restored);
+    }
     for (uint32_t i = 0; i < m->brush.passes; i++) {
         pass(m, keep, box);
     }

@@ -20,9 +20,13 @@
 
 #include <string.h>
 
+#include "base/ahead.h"
 #include "base/bits.h"
 #include "sculpt/rows.h"
 #include "voxel/slice.h"
+
+// Rows between one that is written and the one whose memory is asked for.
+#define AHEAD 6u
 
 // ---------------------------------------------------------------------------------------------
 // Writing
@@ -170,19 +174,15 @@ static sfi_run next_alike(const row_pair *r, size_t i, uint32_t start, uint32_t 
     return found;
 }
 
-// Voxels of word i of row y whose material may have changed while they stayed drawn, or empty. Of
-// all brushes only one does that. Without a stroke under way another shape took the place of all.
-static uint64_t maybe_painted(const sf_sculpt *m, size_t i, uint32_t y, uint32_t z)
+// Whether materials of layer z may have changed where voxels stayed drawn, or empty: of all brushes
+// only one does that, and without a stroke under way another shape took the place of all. Where;
+// else nowhere.
+static sf_rect maybe_painted(const sf_sculpt *m, uint32_t z)
 {
-    sf_rect r = sfi_area_rect(&m->touched.material, z);
-    if ((m->is_under_way && m->brush.kind != SF_BRUSH_PAINT) || y < r.y0 || y >= r.y1 ||
-        i < sfi_rect_first_word(r) || i >= sfi_rect_end_word(r)) {
-        return 0;
-    }
-    if (m->is_under_way) {
-        return sfi_slice_row(sf_grid_slice(m->tips, z), y)[i];
-    }
-    return i + 1 < sfi_row_words(m->lattice.nx) ? ~UINT64_C(0) : sfi_tail_mask(m->lattice.nx);
+    sf_rect nowhere = {0, 0, 0, 0};
+    return m->is_under_way && m->brush.kind != SF_BRUSH_PAINT
+               ? nowhere
+               : sfi_area_rect(&m->touched.material, z);
 }
 
 // Word i of a row: write what changed of `painted` and of whatever was turned, and bring what was
@@ -208,6 +208,35 @@ static void settle_word(run_writer *w, const row_pair *r, uint64_t row, size_t i
     r->printable_before[i] = r->printable[i];
 }
 
+// Row y of layer z, within r. Shapes go on from row to row: where the last run was, some rows below
+// there will be another one, whose memory is asked for.
+static void settle_row(run_writer *w, const layer_pair *layer, sf_rect r, uint32_t y, uint32_t z)
+{
+    const sf_sculpt *m = w->model;
+    row_pair rows = row_of(layer, y);
+    uint64_t number = (uint64_t)z * m->lattice.ny + y + 1;
+    sf_rect paint = maybe_painted(m, z);
+    const uint64_t *tips = sfi_slice_row(sf_grid_slice(m->tips, z), y);
+    size_t first = sfi_rect_first_word(paint);
+    size_t end = y >= paint.y0 && y < paint.y1 ? sfi_rect_end_word(paint) : first;
+    if (w->held.length > 0 && y + AHEAD < m->lattice.ny) {
+        size_t word = AHEAD * layer->drawn.stride + w->held.x / 64;
+        size_t byte = (size_t)AHEAD * m->lattice.nx + w->held.x, last = byte + w->held.length - 1;
+        sfi_ask_for(rows.drawn_before + word);
+        sfi_ask_for(rows.printable_before + word);
+        sfi_ask_for(rows.materials + byte);
+        sfi_ask_for(rows.materials + last);
+        sfi_ask_for(rows.materials_before + byte);
+        sfi_ask_for(rows.materials_before + last);
+    }
+    for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
+        uint64_t all =
+            i + 1 < sfi_row_words(m->lattice.nx) ? ~UINT64_C(0) : sfi_tail_mask(m->lattice.nx);
+        uint64_t painted = i < first || i >= end ? 0 : m->is_under_way ? tips[i] : all;
+        settle_word(w, &rows, number, i, painted);
+    }
+}
+
 int sfi_delta_write(sf_sculpt *m)
 {
     run_writer w = {.model = m};
@@ -217,14 +246,9 @@ int sfi_delta_write(sf_sculpt *m)
     sfi_area_join(area, &m->touched.printable);
     sfi_area_join(area, &m->touched.material);
     for (uint32_t z = area->z0; z < area->z1; z++) {
-        sf_rect r = area->rects[z];
         layer_pair layer = layer_of(m, z);
-        for (uint32_t y = r.y0; y < r.y1; y++) {
-            row_pair rows = row_of(&layer, y);
-            uint64_t number = (uint64_t)z * m->lattice.ny + y;
-            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
-                settle_word(&w, &rows, number + 1, i, maybe_painted(m, i, y, z));
-            }
+        for (uint32_t y = area->rects[z].y0; y < area->rects[z].y1; y++) {
+            settle_row(&w, &layer, area->rects[z], y, z);
         }
     }
     flush(&w);

@@ -117,25 +117,20 @@ static inline int next_run(run_reader *r)
 // Turning
 // ---------------------------------------------------------------------------------------------
 
-static inline void ask_for(const ground *g, const placed_run *p)
+// The run at hand into a place of its own; its memory is asked for.
+static inline void place(const run_reader *r, const ground *g, placed_run *to)
 {
-    size_t word = p->row * g->stride + p->run.x / 64, byte = p->row * g->nx + p->run.x;
+    placed_run p = {r->at, (size_t)r->z * r->ny + r->y};
+    size_t word = p.row * g->stride + p.run.x / 64, byte = p.row * g->nx + p.run.x;
     for (int s = 0; s < 2; s++) {
         sfi_ask_for(g->drawn[s] + word);
         sfi_ask_for(g->printable[s] + word);
-        sfi_ask_for(g->materials[s] + byte + p->run.length - 1);
-        for (uint32_t x = 0; x < p->run.length; x += LINE) {
+        sfi_ask_for(g->materials[s] + byte + p.run.length - 1);
+        for (uint32_t x = 0; x < p.run.length; x += LINE) {
             sfi_ask_for(g->materials[s] + byte + x);
         }
     }
-}
-
-static inline uint64_t count_bits(uint64_t w)
-{
-    w -= w >> 1 & UINT64_C(0x5555555555555555);
-    w = (w & UINT64_C(0x3333333333333333)) + (w >> 2 & UINT64_C(0x3333333333333333));
-    w = (w + (w >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
-    return w * UINT64_C(0x0101010101010101) >> 56;
+    *to = p;
 }
 
 // Turn the bits of a run in its row of both states; returns how many were set.
@@ -146,7 +141,7 @@ static inline uint64_t turn_bits(uint64_t *row, uint64_t *before, sfi_run r)
     uint64_t ones = ~UINT64_C(0) << r.x % 64, were = 0;
     for (size_t i = r.x / 64; i <= last; i++, ones = ~UINT64_C(0)) {
         ones = i < last ? ones : ones & ~UINT64_C(0) >> (63 - last_x % 64);
-        were += count_bits(row[i] & ones);
+        were += sfi_count_bits(row[i] & ones);
         row[i] ^= ones;
         before[i] ^= ones;
     }
@@ -227,9 +222,7 @@ void sfi_delta_apply(const sf_sculpt *m, sfi_step_reader step, sf_sculpt_change 
     sum_up(&r);
     do {
         for (count = 0; count < BATCH && next_run(&r); count++) {
-            placed_run p = {r.at, (size_t)r.z * r.ny + r.y};
-            runs[count] = p;
-            ask_for(&g, &p);
+            place(&r, &g, &runs[count]);
         }
         turn_all(&g, runs, count, &r.made);
     } while (count == BATCH);

@@ -136,13 +136,23 @@ static uint64_t kept_back(sf_brush_kind kind, uint64_t tips, uint64_t now)
 static void count_word(sf_brush_kind kind, uint64_t before, uint64_t now, uint64_t tips,
                        sf_sculpt_change *change)
 {
-    const sfi_kernels *kernels = sfi_kernels_get();
-    const uint64_t words[4] = {now & ~before, before & ~now & tips, before & ~now & ~tips,
-                               kept_back(kind, tips, now)};
-    uint64_t *sums[4] = {&change->added_voxels, &change->removed_voxels, &change->lost_voxels,
-                         &change->kept_back_voxels};
-    for (int s = 0; s < 4; s++) {
-        *sums[s] += words[s] != 0 ? kernels->popcount(&words[s], 1) : 0;
+    uint64_t gone = before & ~now, kept = kept_back(kind, tips, now);
+    if (now != before) {
+        change->added_voxels += sfi_count_bits(now & ~before);
+        change->removed_voxels += sfi_count_bits(gone & tips);
+        change->lost_voxels += sfi_count_bits(gone & ~tips);
+    }
+    if (kept != 0) {
+        change->kept_back_voxels += sfi_count_bits(kept);
+    }
+}
+
+// The counts of one row.
+static void count_row(const sf_sculpt *m, sf_rect r, const uint64_t *before, const uint64_t *now,
+                      const uint64_t *tips, sf_sculpt_change *change)
+{
+    for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
+        count_word(m->brush.kind, before[i], now[i], tips[i], change);
     }
 }
 
@@ -156,10 +166,8 @@ void sfi_sculpt_count(const sf_sculpt *m, sf_sculpt_change *change)
         sf_slice before = sf_grid_slice(m->before.printable, z);
         sf_rect r = sfi_rect_union(sfi_area_rect(a, z), sfi_area_rect(b, z));
         for (uint32_t y = r.y0; y < r.y1; y++) {
-            for (size_t i = sfi_rect_first_word(r); i < sfi_rect_end_word(r); i++) {
-                count_word(m->brush.kind, sfi_slice_row(before, y)[i], sfi_slice_row(now, y)[i],
-                           sfi_slice_row(tips, y)[i], change);
-            }
+            count_row(m, r, sfi_slice_row(before, y), sfi_slice_row(now, y), sfi_slice_row(tips, y),
+                      change);
         }
     }
     change->path_voxels = m->path_voxels;
