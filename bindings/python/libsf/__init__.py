@@ -14,10 +14,13 @@ from __future__ import annotations
 
 from ._core import ffi as _ffi
 from ._core import lib as _lib
+from .balance import (Balance, CarveMode, Carved, Stance, StanceKind, Standing, StandSolver, Verdict,
+                      body, carve, center_of_mass, stand, wall)
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
 from .mesh import Fill, Mesh, surface, voxelize
+from .sculpting import BrushKind, Sculpt, Tip, TipShape
 from .support import (Checked, Checker, Grown, Landing, Preserved, Repaired, Rule, Trimmed, check,
                       grow, preserve, repair, trim, unsupported)
 from .voxel import Grid, Lattice
@@ -25,9 +28,11 @@ from .voxel import Grid, Lattice
 __version__: str = _ffi.string(_lib.sf_version()).decode()
 
 __all__ = [
-    "ArgumentError", "CancelledError", "CapacityError", "Checked", "Checker", "Error", "FileError",
-    "Fill", "FormatError", "Grid", "Grown", "InfeasibleError", "InternalError", "Landing",
-    "Lattice", "Mesh", "OutOfMemoryError", "Preserved", "Repaired", "Rule", "ShapeError",
-    "TooLargeError", "Trimmed", "UnsupportedError", "check", "grow", "preserve", "repair",
-    "surface", "trim", "unsupported", "voxelize",
+    "ArgumentError", "Balance", "BrushKind", "CancelledError", "CapacityError", "CarveMode",
+    "Carved", "Checked", "Checker", "Error", "FileError", "Fill", "FormatError", "Grid",
+    "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice", "Mesh",
+    "OutOfMemoryError", "Preserved", "Repaired", "Rule", "Sculpt", "ShapeError", "Stance",
+    "StanceKind", "StandSolver", "Standing", "Tip", "TipShape", "TooLargeError", "Trimmed",
+    "UnsupportedError", "Verdict", "body", "carve", "center_of_mass", "check", "grow",
+    "preserve", "repair", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
 ]

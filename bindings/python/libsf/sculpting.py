@@ -1,0 +1,187 @@
+"""Sculpting by program: strokes after each of which the shape prints without supports."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _types
+from ._core import documented, ffi, lib, ok
+from ._types import BrushKind, TipShape
+from .mesh import as_mesh
+from .support import AnyRule, _rule
+from .voxel import Grid, Lattice, _lattice
+
+Triple = Sequence[float]
+
+
+class Tip:
+    """The voxels that a brush covers."""
+
+    def __init__(self, c: Any) -> None:
+        self._c = ffi.gc(c, lib.sf_tip_destroy)
+
+    @classmethod
+    @documented("sf_tip_create")
+    def shaped(cls, shape: TipShape | str, radius_vx: float | Triple) -> Tip:
+        """A sphere, box, cylinder or cone; half its extents in voxels."""
+        shape = TipShape[shape.upper()] if isinstance(shape, str) else shape
+        radius = [float(radius_vx)] * 3 if isinstance(radius_vx, (int, float)) else radius_vx
+        made = ffi.new("sf_tip **")
+        ok(lib.sf_tip_create(int(shape), _core.numbers(list(radius), 3, "radius_vx"), ffi.NULL, made))
+        return cls(made[0])
+
+    @classmethod
+    @documented("sf_tip_create_mask")
+    def of(cls, mask: Grid, anchor: Sequence[int] | None = None) -> Tip:
+        """The solid voxels of a grid; the anchor (x, y, z), which comes to lie on each dab, is the
+        middle where none is given."""
+        nz, ny, nx = mask.shape
+        x, y, z = (nx // 2, ny // 2, nz // 2) if anchor is None else anchor
+        made = ffi.new("sf_tip **")
+        ok(lib.sf_tip_create_mask(mask._c, (x, y, z), ffi.NULL, made))
+        return cls(made[0])
+
+    @classmethod
+    @documented("sf_tip_create_stamp")
+    def stamp(cls, heights: npt.NDArray[np.uint8], depth_vx: int) -> Tip:
+        """A relief of an image of heights, (y, x) of uint8."""
+        image = _core.array_in(heights, np.uint8, (None, None), "heights")
+        made = ffi.new("sf_tip **")
+        ok(lib.sf_tip_create_stamp(_core.pointer("uint8_t", image), image.shape[1], image.shape[1],
+                                   image.shape[0], depth_vx, ffi.NULL, made))
+        return cls(made[0])
+
+    @classmethod
+    def mesh(cls, mesh: Any, lattice: Lattice) -> Tip:
+        """A mesh as voxels of a model's pitch, about the middle of its box."""
+        from .mesh import voxelize
+
+        mesh = as_mesh(mesh)
+        low, high = mesh.bounds()
+        layer = lattice.layer_mm if isinstance(lattice.layer_mm, float) else lattice.layer_mm[0]  # type: ignore[index]
+        return cls.of(voxelize(mesh, Lattice.around(low, high, lattice.pitch_mm[0], layer)))
+
+
+class Sculpt:
+    """A model that is support-free after every stroke.
+
+        model = libsf.Sculpt(libsf.Lattice(128, 128, 128, 0.25, 0.25))
+        model.stroke("add-trim", libsf.Tip.shaped("sphere", 10), [(64, 64, 0)])
+        model.printable().count()
+    """
+
+    @documented("sf_sculpt_create")
+    def __init__(self, lattice: Lattice, rule: AnyRule = "box3", *, bed_layer: int = 0,
+                 keep_drawn: bool = False, history_size: int | None = None) -> None:
+        self._rule = _rule(rule, lattice)
+        options = _core.options("sf_sculpt_options", bed_layer=bed_layer, keep_drawn=int(keep_drawn),
+                                history_size=history_size)
+        made = ffi.new("sf_sculpt **")
+        with _lattice(lattice) as c:
+            options.lattice = c[0]
+            options.rule = self._rule.c[0]
+            ok(lib.sf_sculpt_create(options, ffi.NULL, made))
+        self._c = ffi.gc(made[0], lib.sf_sculpt_destroy)
+        self._lattice = lattice
+
+    @property
+    def lattice(self) -> Lattice:
+        return self._lattice
+
+    def printable(self) -> Grid:
+        """What prints without supports; a copy."""
+        return Grid._borrowed(lib.sf_sculpt_printable(self._c), self)
+
+    def drawn(self) -> Grid:
+        """What was drawn, ghosts included; a copy."""
+        return Grid._borrowed(lib.sf_sculpt_drawn(self._c), self)
+
+    @property
+    def materials(self) -> npt.NDArray[np.uint8]:
+        """A byte for each voxel, (layer, y, x); the model's own memory, to be read."""
+        return _core.memory(lib.sf_sculpt_materials(self._c), "uint8", self._lattice.shape, self._c)
+
+    @documented("sf_sculpt_stroke")
+    def stroke(self, kind: BrushKind | str, tip: Tip, dabs: Any, *, material: int = 1,
+               passes: int = 1, mirror_x: bool = False, mirror_y: bool = False) -> _types.SculptChange:
+        """A stroke: a brush put down at voxels (x, y, z), all at once."""
+        kind = BrushKind[kind.replace("-", "_").upper()] if isinstance(kind, str) else kind
+        brush = _core.options("sf_brush", kind=int(kind), material=material, passes=passes,
+                              mirror_x=int(mirror_x), mirror_y=int(mirror_y))
+        brush.tip = tip._c
+        places = np.ascontiguousarray(dabs, np.int32).reshape(-1, 3)
+        change = ffi.new("sf_sculpt_change *")
+        c = ffi.cast("sf_dab *", ffi.from_buffer(places)) if places.size else ffi.NULL
+        ok(lib.sf_sculpt_stroke(self._c, brush, c, len(places), change))
+        return _core.value(change)  # type: ignore[no-any-return]
+
+    @staticmethod
+    @documented("sf_dab_line")
+    def line(start: Sequence[int], end: Sequence[int]) -> npt.NDArray[np.int32]:
+        """The voxels of a line, both ends included, for strokes along it."""
+        count = ffi.new("size_t *")
+        a, b = tuple(map(int, start)), tuple(map(int, end))
+        lib.sf_dab_line(a, b, ffi.NULL, 0, count)
+        found = np.empty((count[0], 3), np.int32)
+        ok(lib.sf_dab_line(a, b, ffi.cast("sf_dab *", ffi.from_buffer(found)), count[0], count))
+        return found
+
+    def _step(self, call: Any) -> _types.SculptChange | None:
+        change = ffi.new("sf_sculpt_change *")
+        status = call(self._c, change)
+        if status == int(_types.Status.ERR_INFEASIBLE):
+            return None
+        ok(status)
+        return _core.value(change)  # type: ignore[no-any-return]
+
+    @documented("sf_sculpt_undo")
+    def undo(self) -> _types.SculptChange | None:
+        """Undo a step; None where there is none."""
+        return self._step(lib.sf_sculpt_undo)
+
+    @documented("sf_sculpt_redo")
+    def redo(self) -> _types.SculptChange | None:
+        """Redo a step; None where there is none."""
+        return self._step(lib.sf_sculpt_redo)
+
+    @property
+    def history(self) -> _types.SculptHistory:
+        return _core.value(lib.sf_sculpt_history_of(self._c))  # type: ignore[no-any-return]
+
+    @documented("sf_sculpt_replace")
+    def replace(self, drawn: Grid | None, materials: Any = None) -> _types.SculptChange:
+        """Another shape in the place of all; None is an empty one."""
+        ids = None if materials is None else _core.array_in(materials, np.uint8,
+                                                            self._lattice.shape, "materials")
+        change = ffi.new("sf_sculpt_change *")
+        ok(lib.sf_sculpt_replace(self._c, ffi.NULL if drawn is None else drawn._c,
+                                 _core.pointer("uint8_t", ids), change))
+        return _core.value(change)  # type: ignore[no-any-return]
+
+    @classmethod
+    @documented("sf_session_read", "sf_session_replay")
+    def replay(cls, path: str | os.PathLike[str]) -> Sculpt:
+        """The model that a session in a file makes."""
+        fault, file = _core.new_fault(), ffi.new("sf_file **")
+        session, made = ffi.new("sf_session **"), ffi.new("sf_sculpt **")
+        ok(lib.sf_file_open(os.fsencode(path), ffi.NULL, file, fault), fault)
+        try:
+            ok(lib.sf_session_read(lib.sf_file_source(file[0]), 0, ffi.NULL, session, fault), fault)
+        finally:
+            lib.sf_file_close(file[0])
+        kept = ffi.gc(session[0], lib.sf_session_destroy)
+        ok(lib.sf_session_replay(kept, ffi.NULL, ffi.NULL, made))
+        model = cls.__new__(cls)
+        model._c = ffi.gc(made[0], lib.sf_sculpt_destroy)
+        from .voxel import lattice_of
+
+        model._lattice = lattice_of(lib.sf_sculpt_options_of(model._c).lattice)
+        model._rule = kept  # whose table the model's rule is
+        return model
+
+
+__all__ = ["BrushKind", "Sculpt", "Tip", "TipShape"]
