@@ -19,6 +19,8 @@ from .balance import (Balance, CarveMode, Carved, Stance, StanceKind, Standing, 
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
+from .grading import (Cage, Limit, Mask, MaskKind, Mixture, Property, Sampler, Slice, Trend,
+                      halftone)
 from .mesh import Fill, Mesh, surface, voxelize
 from .sculpting import BrushKind, Sculpt, Tip, TipShape
 from .support import (Checked, Checker, Grown, Landing, Preserved, Repaired, Rule, Trimmed, check,
@@ -28,11 +30,12 @@ from .voxel import Grid, Lattice
 __version__: str = _ffi.string(_lib.sf_version()).decode()
 
 __all__ = [
-    "ArgumentError", "Balance", "BrushKind", "CancelledError", "CapacityError", "CarveMode",
-    "Carved", "Checked", "Checker", "Error", "FileError", "Fill", "FormatError", "Grid",
-    "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice", "Mesh",
-    "OutOfMemoryError", "Preserved", "Repaired", "Rule", "Sculpt", "ShapeError", "Stance",
-    "StanceKind", "StandSolver", "Standing", "Tip", "TipShape", "TooLargeError", "Trimmed",
-    "UnsupportedError", "Verdict", "body", "carve", "center_of_mass", "check", "grow",
-    "preserve", "repair", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
+    "ArgumentError", "Balance", "BrushKind", "Cage", "CancelledError", "CapacityError",
+    "CarveMode", "Carved", "Checked", "Checker", "Error", "FileError", "Fill", "FormatError",
+    "Grid", "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice", "Limit", "Mask",
+    "MaskKind", "Mesh", "Mixture", "OutOfMemoryError", "Preserved", "Property", "Repaired",
+    "Rule", "Sampler", "Sculpt", "ShapeError", "Slice", "Stance", "StanceKind", "StandSolver",
+    "Standing", "Tip", "TipShape", "TooLargeError", "Trend", "Trimmed", "UnsupportedError",
+    "Verdict", "body", "carve", "center_of_mass", "check", "grow", "halftone", "preserve",
+    "repair", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
 ]
