@@ -20,7 +20,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _docs, _types, errors
-from ._sf import ffi, lib
+from ._sf import ffi as ffi
+from ._sf import lib as lib
 
 Progress = Union[None, bool, Callable[[float], Any], Any]
 C = TypeVar("C", bound=Callable[..., Any])
@@ -69,12 +70,12 @@ def _to_call(progress: Progress) -> Callable[[float], Any] | None:
     if progress is True:
         progress = _bar()
     if hasattr(progress, "update") and hasattr(progress, "n"):  # a bar like tqdm's
-        bar = progress
+        bar: Any = progress
         whole = bar.total if getattr(bar, "total", None) else 1.0
         return lambda share: bar.update(share * whole - bar.n)
     if not callable(progress):
         raise TypeError("progress: give a function of a number from 0 to 1, a bar like tqdm's, or True")
-    return progress  # type: ignore[no-any-return]
+    return progress
 
 
 def _bar() -> Any:
@@ -144,13 +145,13 @@ def _interrupted(kind: Any, error: BaseException, trace: Any) -> None:
         task.fail(error)
 
 
-@ffi.def_extern(onerror=_interrupted)
+@ffi.def_extern(onerror=_interrupted)  # type: ignore[misc, unused-ignore, untyped-decorator]
 def sf_py_progress(user: Any, share: float) -> None:
     task: Task = ffi.from_handle(user)
     task.report(share)
 
 
-@ffi.def_extern()
+@ffi.def_extern()  # type: ignore[misc, unused-ignore, untyped-decorator]
 def sf_py_parallel(user: Any, count: int, body: Any, context: Any) -> None:
     ffi.from_handle(user).share_out(count, body, context)
 

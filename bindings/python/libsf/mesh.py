@@ -94,7 +94,7 @@ class Mesh:
     @documented("sf_mesh_transform")
     def transformed(self, matrix: Any) -> Mesh:
         """A copy that a 3 x 3, 3 x 4 or 4 x 4 matrix has moved."""
-        m = np.asarray(matrix, np.float64)
+        m: Any = np.asarray(matrix, np.float64)
         if m.shape not in ((3, 3), (3, 4), (4, 4)):
             raise ValueError(f"matrix: its shape is {m.shape}, and (3, 3), (3, 4) or (4, 4) is needed")
         if m.shape == (4, 4) and not np.allclose(m[3], (0, 0, 0, 1)):

@@ -62,7 +62,7 @@ class Tip:
 
         mesh = as_mesh(mesh)
         low, high = mesh.bounds()
-        layer = lattice.layer_mm if isinstance(lattice.layer_mm, float) else lattice.layer_mm[0]  # type: ignore[index]
+        layer = lattice.layer_mm if isinstance(lattice.layer_mm, float) else lattice.layer_mm[0]
         return cls.of(voxelize(mesh, Lattice.around(low, high, lattice.pitch_mm[0], layer)))
 
 

@@ -288,7 +288,8 @@ def _bools(array: Any, name: str) -> Bools:
                         f"{name} > 0 is one")
     if array.ndim != 3:
         raise ValueError(f"{name}: the array has {array.ndim} axes, and (layer, y, x) is needed")
-    return array
+    checked: Bools = array
+    return checked
 
 
 def grid_or_null(grid: Grid | None) -> Any:

@@ -45,11 +45,15 @@ ok $? "a wheel of it: $(cd "$folder/dist" && echo ./*.whl)"
 "$folder/build/bin/python" -m venv "$folder/clean" >"$folder/log" 2>&1
 "$folder/clean/bin/pip" install -q --disable-pip-version-check "$folder"/dist/libsf-*.whl hypothesis >"$folder/log" 2>&1
 ok $? "installed into a clean environment"
-for name in core laws mesh; do
+for name in balance core golden grading laws mesh sculpting; do
     (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python \
         "$source/bindings/python/tests/tap.py" "test_$name") >"$folder/log" 2>&1
     ok $? "and passes $name there: $(grep -c '^ok' "$folder/log") cases"
 done
+"$folder/build/bin/pip" install -q --disable-pip-version-check mypy numpy cffi >"$folder/log" 2>&1 &&
+    (cd "$folder/clean/lib"/python3*/site-packages && "$folder/build/bin/mypy" --strict --ignore-missing-imports \
+        --cache-dir "$folder/mypy" -p libsf) >"$folder/log" 2>&1
+ok $? "mypy has nothing to say, strictly"
 # shellcheck disable=SC2086
 for version in $(printf '%s\n' $found | sed -n '1p;$p' | uniq); do
     "python$version" -m venv "$folder/v$version" >"$folder/log" 2>&1 &&
