@@ -2,7 +2,7 @@
 // Applying deltas: a step of the history undone, or done again.
 //
 // With no stroke under way both states of a model are the same, so a step turns the bits of both in
-// one go. It can lie in a hundred thousand lines of the cache, six or seven for each row, and
+// one go. It can lie in a hundred thousand lines of the cache, six for each row, and
 // waiting for one after the other would take longer than all else. So some dozens of runs are read
 // at a time; while the next ones are read, the memory of those before them is on its way.
 
@@ -122,9 +122,11 @@ static inline void place(const run_reader *r, const ground *g, placed_run *to)
 {
     placed_run p = {r->at, (size_t)r->z * r->ny + r->y};
     size_t word = p.row * g->stride + p.run.x / 64, byte = p.row * g->nx + p.run.x;
+    sfi_ask_for(g->drawn[0] + word);
+    sfi_ask_for(g->drawn[1] + word);
+    sfi_ask_for(g->printable[0] + word);
+    sfi_ask_for(g->printable[1] + word);
     for (int s = 0; s < 2; s++) {
-        sfi_ask_for(g->drawn[s] + word);
-        sfi_ask_for(g->printable[s] + word);
         sfi_ask_for(g->materials[s] + byte + p.run.length - 1);
         for (uint32_t x = 0; x < p.run.length; x += LINE) {
             sfi_ask_for(g->materials[s] + byte + x);
@@ -133,8 +135,8 @@ static inline void place(const run_reader *r, const ground *g, placed_run *to)
     *to = p;
 }
 
-// Turn the bits of a run in its row of both states; returns how many were set.
-static inline uint64_t turn_bits(uint64_t *row, uint64_t *before, sfi_run r)
+// Turn the bits of a run in its row; returns how many were set.
+static inline uint64_t turn_bits(uint64_t *row, sfi_run r)
 {
     uint32_t last_x = r.x + r.length - 1;
     size_t last = last_x / 64;
@@ -143,7 +145,6 @@ static inline uint64_t turn_bits(uint64_t *row, uint64_t *before, sfi_run r)
         ones = i < last ? ones : ones & ~UINT64_C(0) >> (63 - last_x % 64);
         were += sfi_count_bits(row[i] & ones);
         row[i] ^= ones;
-        before[i] ^= ones;
     }
     return were;
 }
@@ -177,10 +178,12 @@ static inline void change_bytes(uint8_t *row, uint8_t *before, uint32_t length, 
 // way at once.
 static void turn_all(const ground *g, const placed_run *runs, size_t count, sf_sculpt_change *made)
 {
+    int is_shared = g->drawn[1] == g->printable[1]; // then what turned there has turned
     for (const placed_run *p = runs; p < runs + count; p++) {
         if (p->run.deed & SFI_TURNS_PRINTABLE) {
             size_t word = p->row * g->stride;
-            uint64_t were = turn_bits(g->printable[0] + word, g->printable[1] + word, p->run);
+            uint64_t were = turn_bits(g->printable[0] + word, p->run);
+            (void)turn_bits(g->printable[1] + word, p->run);
             made->removed_voxels += were;
             made->added_voxels += p->run.length - were;
         }
@@ -188,7 +191,10 @@ static void turn_all(const ground *g, const placed_run *runs, size_t count, sf_s
     for (const placed_run *p = runs; p < runs + count; p++) {
         if (p->run.deed & SFI_TURNS_DRAWN) {
             size_t word = p->row * g->stride;
-            (void)turn_bits(g->drawn[0] + word, g->drawn[1] + word, p->run);
+            (void)turn_bits(g->drawn[0] + word, p->run);
+            if (!is_shared) {
+                (void)turn_bits(g->drawn[1] + word, p->run);
+            }
         }
     }
     for (const placed_run *p = runs; p < runs + count; p++) {

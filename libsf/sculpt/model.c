@@ -61,8 +61,8 @@ static size_t size_of(const sf_sculpt_options *options)
     const sf_lattice *l = &options->lattice;
     size_t row = sf_slice_stride(l->nx) * sizeof(uint64_t), area = (size_t)l->nx * l->ny;
     total t = {0, 0};
-    add(&t, 6, row, l->ny, l->nz); // two states of two grids, tips, grown
-    add(&t, 2, area, l->nz, 1);    // materials
+    add(&t, options->keep_drawn ? 6 : 5, row, l->ny, l->nz); // grids of two states, tips, grown
+    add(&t, 2, area, l->nz, 1);                              // materials
     add(&t, 1, l->nz, sizeof(sf_voxel), 1);
     add(&t, 7, l->nz, sizeof(double), 1); // heights of grids
     add(&t, 1, options->history_size, 1, 1);
@@ -100,11 +100,15 @@ static sf_status check_options(const sf_sculpt_options *options)
                : SF_ERR_ARGUMENT;
 }
 
-static sf_status create_state(sf_sculpt *m, sfi_state *state)
+// A state of one grid where all that is drawn is printable.
+static sf_status create_state(sf_sculpt *m, sfi_state *state, int is_one)
 {
     const sf_lattice *l = &m->options.lattice;
-    SF_TRY(sf_grid_create(l, &m->scratch, &state->drawn));
     SF_TRY(sf_grid_create(l, &m->scratch, &state->printable));
+    state->drawn = state->printable;
+    if (!is_one) {
+        SF_TRY(sf_grid_create(l, &m->scratch, &state->drawn));
+    }
     size_t voxels = (size_t)l->nx * l->ny * l->nz;
     state->materials = sfi_alloc_array(&m->scratch, voxels, 1);
     if (state->materials == NULL) {
@@ -164,8 +168,8 @@ static sf_status fill(sf_sculpt *m)
         }
         memset(m->history.bytes, 0, m->history.capacity); // no stroke waits for fresh pages
     }
-    SF_TRY(create_state(m, &m->now));
-    SF_TRY(create_state(m, &m->before));
+    SF_TRY(create_state(m, &m->now, 0));
+    SF_TRY(create_state(m, &m->before, !m->options.keep_drawn));
     SF_TRY(sf_grid_create(l, &m->scratch, &m->tips));
     SF_TRY(sf_grid_create(l, &m->scratch, &m->grown));
     m->lattice = sf_grid_lattice(m->now.drawn);

@@ -3,6 +3,8 @@
 //
 // Two states, `now` and `before`: what the model is, and what it was before the stroke that is
 // under way. They differ only where `touched` says; with no stroke under way they are the same.
+// Then all that is drawn is printable, unless the model keeps ghosts: so without these `before` has
+// one grid for both.
 
 #ifndef SF_SCULPT_MODEL_H
 #define SF_SCULPT_MODEL_H

@@ -229,9 +229,9 @@ SF_API sf_sculpt_options sf_sculpt_options_default(void);
  * Make an empty model.
  *
  * @param options    lattice, rule and bed
- * @param allocator  for all that the model will ever need: for each voxel two bytes and some seven
- *                   bits, more where a rule has slack or bridges, and the history; NULL for the C
- *                   library's
+ * @param allocator  for all that the model will ever need: for each voxel two bytes and some six
+ *                   bits, one more where ghosts are kept, more where a rule has slack or bridges,
+ *                   and the history; NULL for the C library's
  * @param model      the model
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a bed layer
  * that the lattice has not, a rule that does not serve all its layers; what sf_lattice_validate()

@@ -8418,9 +8418,9 @@ extern "C" {
     /// Make an empty model.
     ///
     /// - `options`: lattice, rule and bed
-    /// - `allocator`: for all that the model will ever need: for each voxel two bytes and some
-    ///   seven bits, more where a rule has slack or bridges, and the history; NULL for the C
-    ///   library's
+    /// - `allocator`: for all that the model will ever need: for each voxel two bytes and some six
+    ///   bits, one more where ghosts are kept, more where a rule has slack or bridges, and the
+    ///   history; NULL for the C library's
     /// - `model`: the model
     /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a bed
     ///   layer that the lattice has not, a rule that does not serve all its layers; what
