@@ -200,6 +200,33 @@ static void a_handle_goes_into_the_middle(void)
     unlink("balance_put.obj");
 }
 
+// Two handles in one place cannot both be held: the last goes, is told, and is selected no more.
+static void a_handle_too_many_is_left_out(void)
+{
+    char why[DESK_WHY_SIZE] = "";
+    desk *d = make();
+    const balance_state *s = balance_desk_state(d);
+    const double eye[3] = {5, -300, 5}, at[3] = {5, 0, 5}, near[3] = {5.2, 0, 5.2};
+    write_slab("balance_two.obj", 1);
+    CHECK(d->is->open(d, "balance_two.obj", why));
+    d->is->set(d, BALANCE_TOOL, BALANCE_PUT);
+    click(d, eye, at, 0);
+    desk_pointer p = through(eye, near, 0);
+    p.spread = 1e-9; // a picture so large that the first is not below the pointer
+    d->is->press(d, &p);
+    d->is->release(d);
+    CHECK_EQ(s->plan.handle_count, 2);
+    d->is->set(d, BALANCE_SELECTED, 1);
+    d->is->act(d, BALANCE_ROUND);
+    go_on(d, 4);
+    CHECK(s->plan.handle_count == 1 && s->selected == -1);
+    CHECK(strstr(d->said, "left out") != NULL);
+    d->is->act(d, BALANCE_REMOVE); // nothing is selected
+    CHECK_EQ(s->plan.handle_count, 1);
+    d->is->destroy(d);
+    unlink("balance_two.obj");
+}
+
 static void files(void)
 {
     char why[DESK_WHY_SIZE] = "";
@@ -276,6 +303,7 @@ int main(void)
     TEST(a_moved_handle_stays);
     TEST(stances_are_pointed_at);
     TEST(a_handle_goes_into_the_middle);
+    TEST(a_handle_too_many_is_left_out);
     TEST(files);
     TEST(a_sculpted_shape);
     TEST(it_shows);

@@ -16,6 +16,7 @@ typedef struct balance {
     sf_stance *stances[BALANCE_STANCES_MAX]; // of what is placed
     sf_stand *stand;                         // NULL until it is prepared
     int is_pending;                          // one round is owed
+    int left_out;                            // handles that it could not be prepared with
     balance_plan undo[BALANCE_UNDO_MAX], redo[BALANCE_UNDO_MAX];
     int last_setting; // that was written to the list of undone plans; -1 none
     int is_dragging;  // the selected handle: 1 gripped, 2 moved

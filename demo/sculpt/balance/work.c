@@ -176,6 +176,7 @@ void balance_drop(balance *b)
 {
     sf_stand_destroy(b->stand);
     b->stand = NULL;
+    b->left_out = 0;
     b->state.has_report = 0;
     b->base.is_stale = 1;
 }
@@ -189,6 +190,18 @@ static sf_stand_options options_of(const balance_state *s)
     o.carve_mode = s->plan.carving == BALANCE_PLANES ? SF_CARVE_PLANE : SF_CARVE_SUPPORT_FREE;
     o.deform = s->plan.bends;
     return o;
+}
+
+// A handle goes: nothing may point at it any more.
+static void leave_out_last(balance *b)
+{
+    int last = (int)--b->state.plan.handle_count;
+    b->left_out++;
+    if (b->state.selected == last) {
+        b->state.selected = -1;
+        b->is_dragging = 0;
+    }
+    b->state.hovered = b->state.hovered == last ? -1 : b->state.hovered;
 }
 
 // Handles that were found on voxels may be too close to what holds still: the last ones, which were
@@ -211,7 +224,19 @@ static sf_status create(balance *b, sf_fault *fault)
         if (status != SF_ERR_INFEASIBLE || count == 0) {
             return status;
         }
-        p->handle_count--;
+        leave_out_last(b);
+    }
+}
+
+// Nothing, or that handles are gone which a person may have put.
+static void say_left_out(balance *b)
+{
+    b->base.said[0] = '\0';
+    if (b->left_out > 0) {
+        snprintf(b->base.said, sizeof b->base.said,
+                 "%d handle%s left out, too close to what holds still or to another: more voxels "
+                 "may tell them apart.",
+                 b->left_out, b->left_out == 1 ? " is" : "s are");
     }
 }
 
@@ -227,7 +252,7 @@ static void prepare(balance *b)
         b->state.is_running = b->is_pending = 0;
         return;
     }
-    b->base.said[0] = '\0';
+    say_left_out(b);
     for (size_t i = 0; i < p->handle_count; i++) {
         if (p->handles[i].locked) {
             (void)!sf_stand_set_pose(b->stand, i, &p->handles[i].pose, 1);
@@ -248,7 +273,7 @@ static void say_end(balance *b)
                  "a smaller tilt, or move a handle.",
                  s->margin_rad / DEGREE);
     } else {
-        said[0] = '\0';
+        say_left_out(b);
     }
 }
 
