@@ -13,6 +13,8 @@
 // Points of a larger cage are shown where they are selected or pointed at.
 #define POINTS_MOST 3000u
 
+enum { BATCH = 3072, FACE_MOST = 12 }; // vertices, at once and of a face that is cut
+
 static const uint8_t edge_ink[4] = {70, 74, 84, 150}, bad_ink[4] = {208, 50, 40, 255};
 static const uint8_t brush_ink[4] = {255, 200, 50, 255}, hovered_ink[4] = {255, 255, 255, 255};
 
@@ -58,13 +60,13 @@ static corner mix(const corner *a, const corner *b, double t)
     return c;
 }
 
-// What of a polygon stays beside the cut; `to` has room for one corner more.
-static int clip(const grade *g, const corner *from, int count, corner *to)
+// What of a triangle stays beside the cut: at most four corners.
+static int clip(const grade *g, const corner from[3], corner to[4])
 {
     int made = 0, axis = g->state.cut_axis;
     double cut = grade_cut_mm(g), side = g->state.keeps_beyond ? -1 : 1;
-    for (int i = 0; i < count; i++) {
-        const corner *a = &from[i], *b = &from[(i + 1) % count];
+    for (int i = 0; i < 3; i++) {
+        const corner *a = &from[i], *b = &from[(i + 1) % 3];
         double p = side * (cut - a->at[axis]), q = side * (cut - b->at[axis]);
         if (p >= 0) {
             to[made++] = *a;
@@ -78,8 +80,8 @@ static int clip(const grade *g, const corner *from, int count, corner *to)
 
 // Vertices and normals that are collected before they go to the stage.
 typedef struct batch {
-    stage_vertex vertices[3072];
-    float normals[3 * 3072];
+    stage_vertex vertices[BATCH];
+    float normals[3 * BATCH];
     size_t count;
 } batch;
 
@@ -100,35 +102,39 @@ static void put(const grade *g, batch *b, const corner *c)
     b->count++;
 }
 
-static void add_surface(filling *f)
+// A face is two triangles, as the pointer meets it: cut as one, a saddle would fall into pieces.
+static void put_face(const grade *g, batch *b, size_t face)
 {
-    const grade *g = f->g;
+    static const size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
     const grade_surface *s = &g->surface;
-    batch *b = malloc(sizeof *b);
-    f->good = f->good && b != NULL;
-    for (size_t k = 0; f->good && k < s->face_count; k++) {
-        corner four[4], five[5];
-        const corner *all = four;
-        int count = 4;
-        for (size_t i = 0; i < 4; i++) {
-            size_t at = 3 * (size_t)s->corners[4 * k + i];
-            memcpy(four[i].at, s->points + at, sizeof four[i].at);
-            memcpy(four[i].normal, s->normals + at, sizeof four[i].normal);
-            four[i].value = s->values[4 * k + i];
+    for (int h = 0; h < 2; h++) {
+        corner three[3], cut[4];
+        for (size_t i = 0; i < 3; i++) {
+            size_t place = 4 * face + halves[h][i], at = 3 * (size_t)s->corners[place];
+            memcpy(three[i].at, s->points + at, sizeof three[i].at);
+            memcpy(three[i].normal, s->normals + at, sizeof three[i].normal);
+            three[i].value = s->values[place];
         }
-        if (g->state.is_cut) {
-            count = clip(g, four, 4, five);
-            all = five;
-        }
-        if (k == 0) {
-            b->count = 0;
-        }
+        int count = g->state.is_cut ? clip(g, three, cut) : 3;
+        const corner *all = g->state.is_cut ? cut : three;
         for (int i = 2; i < count; i++) {
             put(g, b, &all[0]);
             put(g, b, &all[i - 1]);
             put(g, b, &all[i]);
         }
-        if (b->count + 9 > sizeof b->vertices / sizeof *b->vertices || k + 1 == s->face_count) {
+    }
+}
+
+static void add_surface(filling *f)
+{
+    batch *b = malloc(sizeof *b);
+    f->good = f->good && b != NULL;
+    if (b != NULL) {
+        b->count = 0;
+    }
+    for (size_t k = 0; f->good && k < f->g->surface.face_count; k++) {
+        put_face(f->g, b, k);
+        if (b->count + FACE_MOST > BATCH || k + 1 == f->g->surface.face_count) {
             flush(f, b);
         }
     }
