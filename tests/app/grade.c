@@ -360,6 +360,37 @@ static void a_saddle_is_cut(void)
     d->is->destroy(d);
 }
 
+// Faces with open edges: these are sharp by themselves, so their limit is that of a crease.
+static void an_open_surface_is_the_limit(void)
+{
+    static const double corners[12] = {0, 0, 0, 10, 0, 6, 10, 10, 0, 0, 10, 3};
+    desk *d = make();
+    CHECK(take_one(d, 2, corners, 4));
+    const grade *g = (const grade *)d;
+    sf_limit *limit = NULL;
+    CHECK(sf_limit_create(g->cage, SF_REFINE_STANDARD, NULL, NULL, &limit) == SF_OK);
+    double worst = 0;
+    uint32_t n = 1u << g->surface.steps;
+    for (uint32_t i = 0; i <= n; i++) {
+        for (uint32_t j = 0; j <= n; j++) {
+            const double u[3] = {(double)i / n, (double)j / n, 0};
+            sf_place place;
+            double at[3], least = INFINITY;
+            CHECK(sf_limit_place(limit, 0, u, &place) == SF_OK);
+            CHECK(sf_limit_positions(limit, 1, &place, NULL, NULL, at, NULL) == SF_OK);
+            for (size_t k = 0; k < 4 * g->surface.face_count; k++) {
+                const double *p = g->surface.points + 3 * (size_t)g->surface.corners[k];
+                least = fmin(least, hypot(hypot(p[0] - at[0], p[1] - at[1]), p[2] - at[2]));
+            }
+            worst = fmax(worst, least);
+        }
+    }
+    printf("# off by %.2g mm\n", worst);
+    CHECK(worst < 1e-9);
+    sf_limit_destroy(limit);
+    d->is->destroy(d);
+}
+
 int main(void)
 {
     TEST(the_surface_is_the_limit);
@@ -371,5 +402,6 @@ int main(void)
     TEST(files);
     TEST(it_shows);
     TEST(a_saddle_is_cut);
+    TEST(an_open_surface_is_the_limit);
     return test_finish();
 }

@@ -182,20 +182,46 @@ typedef struct sharpness {
 
 static void note_crease(sharpness *h, uint32_t a, uint32_t b)
 {
+    for (int i = 0; i < h->creases[a] && i < 2; i++) {
+        if (h->crease[2 * (size_t)a + (size_t)i] == b) {
+            return; // an open edge that was made sharp as well
+        }
+    }
     if (h->creases[a] < 2) {
         h->crease[2 * (size_t)a + h->creases[a]] = b;
     }
     h->creases[a] = (uint8_t)(h->creases[a] < 3 ? h->creases[a] + 1 : 3);
 }
 
+// Edges of one face alone, which a cage of faces may have, are sharp by themselves: no face comes
+// back along them.
+static void note_open_edges(const grade_surface *s, size_t point_count, sharpness *h)
+{
+    for (uint32_t a = 0; a < point_count; a++) {
+        for (uint32_t i = s->starts[a]; i < s->starts[a + 1]; i += 2) {
+            uint32_t b = s->ring[i], k = s->starts[b];
+            while (k < s->starts[b + 1] && s->ring[k] != a) {
+                k += 2;
+            }
+            if (k >= s->starts[b + 1]) {
+                note_crease(h, a, b);
+                note_crease(h, b, a);
+            }
+        }
+    }
+}
+
 // What is still sharp after the steps is taken to stay so.
-static int find_sharpness(const sf_cage_view *v, sharpness *h)
+static int find_sharpness(const grade_surface *s, const sf_cage_view *v, sharpness *h)
 {
     h->kind = calloc(v->point_count + 1, 1);
     h->creases = calloc(v->point_count + 1, 1);
     h->crease = malloc((2 * v->point_count + 1) * sizeof *h->crease);
     if (h->kind == NULL || h->creases == NULL || h->crease == NULL) {
         return 0;
+    }
+    if (v->dimension == 2) {
+        note_open_edges(s, v->point_count, h);
     }
     for (size_t i = 0; i < v->crease_count; i++) {
         if (v->creases[i].sharpness >= 1) {
@@ -276,7 +302,7 @@ sf_status grade_surface_move(grade_surface *s, const double *positions)
     if (status != SF_OK) {
         return status;
     }
-    if (!find_sharpness(&v, &h)) {
+    if (!find_sharpness(s, &v, &h)) {
         free_sharpness(&h);
         return SF_ERR_MEMORY;
     }
@@ -298,7 +324,7 @@ static void read_values(grade_surface *s, size_t channel)
         return;
     }
     const sf_channel *c = &v.channels[channel];
-    int is_smooth = c->indices == NULL && find_sharpness(&v, &h);
+    int is_smooth = c->indices == NULL && find_sharpness(s, &v, &h);
     for (size_t i = 0; i < 4 * s->face_count; i++) {
         size_t value = c->indices != NULL ? c->indices[s->places[i]] : s->corners[i];
         s->values[i] = is_smooth ? push(s, &h, c->values, 1, s->corners[i], 0) : c->values[value];
