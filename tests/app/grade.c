@@ -391,6 +391,33 @@ static void an_open_surface_is_the_limit(void)
     d->is->destroy(d);
 }
 
+// To smooth goes by a share of 0 to 1, whatever the property's values are.
+static void the_amount_is_one_that_can_be(void)
+{
+    char why[DESK_WHY_SIZE];
+    desk *d = make();
+    const grade_state *s = grade_desk_state(d);
+    FILE *f = fopen("grade_amount.vtk", "w");
+    CHECK(f != NULL);
+    fputs("# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+          "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+          "POINT_DATA 4\nSCALARS heat double 1\nLOOKUP_TABLE default\n100 200 300 400\n",
+          f);
+    CHECK(fclose(f) == 0);
+    d->is->set(d, GRADE_OPERATION, SF_PAINT_SMOOTH);
+    CHECK(d->is->open(d, "grade_amount.vtk", why));
+    CHECK(s->operation == SF_PAINT_SMOOTH && s->high > 399);
+    for (int i = 0; i < 2; i++) {
+        CHECK(s->amount >= 0 && s->amount <= 1);
+        d->is->act(d, GRADE_ALL);
+        d->is->act(d, GRADE_APPLY);
+        CHECK(s->history.undo_count == (size_t)i + 1 && d->said[0] == '\0');
+        d->is->set(d, GRADE_CHANNEL, 0);
+    }
+    d->is->destroy(d);
+    unlink("grade_amount.vtk");
+}
+
 int main(void)
 {
     TEST(the_surface_is_the_limit);
@@ -403,5 +430,6 @@ int main(void)
     TEST(it_shows);
     TEST(a_saddle_is_cut);
     TEST(an_open_surface_is_the_limit);
+    TEST(the_amount_is_one_that_can_be);
     return test_finish();
 }

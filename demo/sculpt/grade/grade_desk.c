@@ -22,19 +22,20 @@ static double between(double x, double low, double high)
 // Settings
 // ---------------------------------------------------------------------------------------------
 
-static void choose_channel(grade *g, double x)
-{
-    g->state.channel = (size_t)between(x, 0, (double)g->state.cage.channel_count - 1);
-    grade_follow(g, 0);
-    g->state.amount = g->state.high;
-}
-
+// To smooth goes by a share.
 static double bound_amount(const grade *g, double x)
 {
     if (g->state.operation == SF_PAINT_SMOOTH) {
         return between(x, 0, 1);
     }
     return between(x, -1e12, 1e12);
+}
+
+static void choose_channel(grade *g, double x)
+{
+    g->state.channel = (size_t)between(x, 0, (double)g->state.cage.channel_count - 1);
+    grade_follow(g, 0);
+    g->state.amount = bound_amount(g, g->state.high);
 }
 
 static void set_brush(grade_state *s, int setting, double x)
@@ -264,10 +265,12 @@ static int open_file(desk *d, const char *path, char why[DESK_WHY_SIZE])
     if (!say(why, path, status, &fault)) {
         return 0;
     }
-    if (!grade_take((grade *)d, cage, why)) {
+    grade *g = (grade *)d;
+    if (!grade_take(g, cage, why)) {
         sf_cage_destroy(cage);
         return 0;
     }
+    g->state.amount = bound_amount(g, g->state.amount);
     return 1;
 }
 
