@@ -227,6 +227,28 @@ static void a_handle_too_many_is_left_out(void)
     unlink("balance_two.obj");
 }
 
+// Whatever is set while a handle is dragged, it is that one which moves.
+static void the_handle_in_hand_stays_in_it(void)
+{
+    desk *d = make();
+    const balance_state *s = balance_desk_state(d);
+    const double eye[3] = {40, -300, 120};
+    d->is->act(d, BALANCE_PLACE);
+    CHECK(s->plan.handle_count > 1);
+    const balance_handle *h = s->plan.handles;
+    const double aim[3] = {h[0].at_mm[0], h[0].at_mm[1], h[0].at_mm[2] + 2};
+    desk_pointer p = through(eye, h[0].at_mm, 0), q = through(eye, aim, 0);
+    d->is->press(d, &p);
+    CHECK_EQ(s->selected, 0);
+    d->is->set(d, BALANCE_SELECTED, 1);
+    d->is->drag(d, &q);
+    d->is->release(d);
+    CHECK(h[0].locked && !h[1].locked);
+    d->is->set(d, BALANCE_SELECTED, 1);
+    CHECK_EQ(s->selected, 1);
+    d->is->destroy(d);
+}
+
 static void files(void)
 {
     char why[DESK_WHY_SIZE] = "";
@@ -304,6 +326,7 @@ int main(void)
     TEST(stances_are_pointed_at);
     TEST(a_handle_goes_into_the_middle);
     TEST(a_handle_too_many_is_left_out);
+    TEST(the_handle_in_hand_stays_in_it);
     TEST(files);
     TEST(a_sculpted_shape);
     TEST(it_shows);

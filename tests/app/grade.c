@@ -418,6 +418,37 @@ static void the_amount_is_one_that_can_be(void)
     unlink("grade_amount.vtk");
 }
 
+// A key that is hit in the middle of a move does not make a stroke of it, from wherever the brush
+// was last.
+static void a_stroke_has_one_tool(void)
+{
+    desk *d = make();
+    const grade_state *s = grade_desk_state(d);
+    const double *at = s->cage.positions, x = at[0], z = at[2];
+    const sf_channel *c = &s->cage.channels[0];
+    double sum = 0;
+    for (size_t i = 0; i < c->value_count; i++) {
+        sum += c->values[i];
+    }
+    desk_pointer p = from_front(x, z, 0), q = from_front(0, 12, 0), r = from_front(x - 2, z, 0);
+    d->is->set(d, GRADE_AMOUNT, 0);
+    d->is->set(d, GRADE_TOOL, GRADE_MOVE);
+    d->is->press(d, &p);
+    d->is->key(d, '2', 0);
+    CHECK(s->tool == GRADE_MOVE);
+    d->is->drag(d, &q);
+    d->is->drag(d, &r);
+    d->is->release(d);
+    CHECK_NEAR(s->cage.positions[0], x - 2, 1e-9);
+    for (size_t i = 0; i < c->value_count; i++) {
+        sum -= s->cage.channels[0].values[i];
+    }
+    CHECK_NEAR(sum, 0, 1e-12);
+    d->is->key(d, '2', 0);
+    CHECK(s->tool == GRADE_BRUSH);
+    d->is->destroy(d);
+}
+
 int main(void)
 {
     TEST(the_surface_is_the_limit);
@@ -431,5 +462,6 @@ int main(void)
     TEST(a_saddle_is_cut);
     TEST(an_open_surface_is_the_limit);
     TEST(the_amount_is_one_that_can_be);
+    TEST(a_stroke_has_one_tool);
     return test_finish();
 }

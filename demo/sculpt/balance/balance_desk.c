@@ -52,6 +52,9 @@ static void set(desk *d, int setting, double x)
 {
     balance *b = (balance *)d;
     balance_state *s = &b->state;
+    if (b->is_dragging && setting == BALANCE_SELECTED) {
+        return; // the one in hand stays in it
+    }
     d->is_stale = 1;
     switch (setting) {
     case BALANCE_TOOL:

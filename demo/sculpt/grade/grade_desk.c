@@ -82,6 +82,9 @@ static void set(desk *d, int setting, double x)
 {
     grade *g = (grade *)d;
     grade_state *s = &g->state;
+    if (g->is_pressed && (setting == GRADE_TOOL || setting == GRADE_CHANNEL)) {
+        return; // a stroke has one tool and one property
+    }
     d->is_stale = 1;
     switch (setting) {
     case GRADE_TOOL:
