@@ -172,6 +172,11 @@ int grade_take(grade *g, sf_cage *cage, char why[DESK_WHY_SIZE])
         snprintf(why, DESK_WHY_SIZE, "%s", sf_status_message(status));
         return 0;
     }
+    if (made.surface.face_count == 0) { // each face has a cell on both sides
+        free_all(&made);
+        snprintf(why, DESK_WHY_SIZE, "That cage closes upon itself: it has no outside to show.");
+        return 0;
+    }
     free_all(g);
     sf_cage_destroy(g->cage);
     grade_section_free(&g->section);

@@ -16,6 +16,8 @@
 
 #include "grade.h"
 
+static const char no_section[] = "No section: ";
+
 double grade_cut_mm(const grade *g)
 {
     const grade_state *s = &g->state;
@@ -132,11 +134,11 @@ static sf_status halftone(grade *g)
         planes[m].values = tones + m * voxels;
         planes[m].stride = c->width;
     }
-    double layer = floor(c->at_mm / c->pitch_mm);
+    double layer = floor((c->at_mm - s->low_mm[c->axis]) / c->pitch_mm);
     sf_tones asked = {.struct_size = sizeof asked,
                       .width = c->width,
                       .height = c->height,
-                      .layer = (uint32_t)(layer > 0 ? layer : 0),
+                      .layer = (uint32_t)(layer > 0 ? layer : 0), // at most the resolution
                       .type = SF_TONE_F32,
                       .planes = planes};
     const sf_materials to = {.ids = c->material, .ids_stride = c->width};
@@ -144,7 +146,6 @@ static sf_status halftone(grade *g)
     if (status == SF_OK) {
         status = sf_halftone_slice(made, &asked, &to, NULL);
     }
-    memset(s->counts, 0, sizeof s->counts);
     for (size_t i = 0; status == SF_OK && i < voxels; i++) {
         c->material[i] = c->solid[i] ? c->material[i] : 0;
         if (c->material[i] > 0) {
@@ -191,19 +192,42 @@ static sf_status make(grade *g, sf_fault *fault)
     return status == SF_OK ? halftone(g) : status;
 }
 
+// Whether it is large enough, where it lies, for voxels to differ from each other.
+static int has_size(const grade_state *s)
+{
+    double size = 0, away = 0;
+    for (int i = 0; i < 3; i++) {
+        size = fmax(size, s->high_mm[i] - s->low_mm[i]);
+        away = fmax(away, fmax(fabs(s->low_mm[i]), fabs(s->high_mm[i])));
+    }
+    return size > 1e-9 * away;
+}
+
+static void say_none(grade *g, const char *why)
+{
+    snprintf(g->base.said, sizeof g->base.said, "%s%s", no_section, why);
+}
+
 void grade_section_make(grade *g)
 {
     sf_fault fault = {SF_OK, 0, 0, ""};
     g->is_section_old = 0;
     g->base.is_stale = 1;
     grade_section_free(&g->section);
+    memset(g->state.counts, 0, sizeof g->state.counts);
+    if (strncmp(g->base.said, no_section, strlen(no_section)) == 0) {
+        g->base.said[0] = '\0'; // of the one before
+    }
     if (!g->state.is_cut || g->state.cage.dimension != 3) {
+        return;
+    }
+    if (!has_size(&g->state)) {
+        say_none(g, "the shape has no size.");
         return;
     }
     sf_status status = make(g, &fault);
     if (status != SF_OK) {
         grade_section_free(&g->section);
-        snprintf(g->base.said, sizeof g->base.said, "No section: %s",
-                 fault.message[0] != '\0' ? fault.message : sf_status_message(status));
+        say_none(g, fault.message[0] != '\0' ? fault.message : sf_status_message(status));
     }
 }
