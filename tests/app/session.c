@@ -98,9 +98,35 @@ static void a_fast_move(void)
     editor_destroy(e);
 }
 
+// What is written down is read again, to the bit; what could not be read is not taken at all.
+static void events_come_back(void)
+{
+    static const app_event all[5] = {{EVENT_MOVE, 0, 5, 0.1, -3e8, 1e-17, 0, 0},
+                                     {EVENT_SET, 203, 0, 2.1e11, 0, 0, 0, 0}, // steel, in pascal
+                                     {EVENT_DO, DO_STEP, 0, 0, 0, 0, 0, 0},
+                                     {EVENT_SET, SET_RADIUS, 0, 2.1e11, 0, 0, 0, 0},
+                                     {EVENT_SET, 203, 0, INFINITY, 0, 0, 0, 0}};
+    char path[EVENT_PATH_SIZE];
+    for (int i = 0; i < 5; i++) {
+        app_event back;
+        FILE *f = tmpfile();
+        CHECK(f != NULL);
+        app_event_write(f, &all[i], NULL);
+        rewind(f);
+        int found = app_event_read(f, &back, path);
+        CHECK_EQ(found, app_event_is_good(&all[i]) ? 1 : -1);
+        CHECK_EQ(found, i < 3 ? 1 : -1);
+        CHECK(found < 0 || memcmp(&back.x, &all[i].x, 5 * sizeof back.x) == 0);
+        CHECK(fclose(f) == 0);
+    }
+    CHECK(app_event_can_name("a name.vtk") && !app_event_can_name(""));
+    CHECK(!app_event_can_name("two\nlines"));
+}
+
 int main(void)
 {
     TEST(a_fast_move);
+    TEST(events_come_back);
     TEST(all_was_recorded);
     TEST(something_was_not);
     return test_finish();

@@ -7,6 +7,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "desk/desk.h"
+
 static const char *const words[EVENT_KIND_COUNT] = {
     "size", "move", "press", "release", "scroll", "key", "set", "do", "fly", "open", "tip"};
 
@@ -20,29 +22,37 @@ void app_event_write(FILE *file, const app_event *event, const char *path)
             event->mods, event->x, event->y, event->z, event->a, event->b);
 }
 
-// No pointer, size or setting is further from 0; what is would end as no number in a camera.
+// No pointer or size is further from 0; what is would end as no number in a camera. A desk bounds
+// its settings itself: a stiffness in pascal is a large number.
 #define NUMBER_MOST 1e9
+#define SETTING_MOST 1e12
 
-static int are_numbers(const app_event *e)
+int app_event_is_good(const app_event *e)
 {
     const double numbers[5] = {e->x, e->y, e->z, e->a, e->b};
+    int is_desks = e->kind == EVENT_SET && e->code >= DESK_BALANCE_FIRST;
     for (int i = 0; i < 5; i++) {
-        if (!(fabs(numbers[i]) <= NUMBER_MOST)) {
+        if (!(fabs(numbers[i]) <= (is_desks ? SETTING_MOST : NUMBER_MOST))) {
             return 0;
         }
     }
     return 1;
 }
 
+int app_event_can_name(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 0 && length < EVENT_PATH_SIZE && strpbrk(path, "\r\n") == NULL;
+}
+
 // The rest of a line that opens a file; 0 where it names none.
 static int read_path(char *line, char path[EVENT_PATH_SIZE])
 {
     line[strcspn(line, "\r\n")] = '\0';
-    size_t length = strlen(line);
-    if (length == 0 || length >= EVENT_PATH_SIZE) {
+    if (!app_event_can_name(line)) {
         return 0;
     }
-    memcpy(path, line, length + 1);
+    memcpy(path, line, strlen(line) + 1);
     return 1;
 }
 
@@ -62,15 +72,14 @@ int app_event_read(FILE *file, app_event *event, char path[EVENT_PATH_SIZE])
         }
     }
     if (sscanf(line, "%15s %d %u %lf %lf %lf %lf %lf", word, &e.code, &e.mods, &e.x, &e.y, &e.z,
-               &e.a, &e.b) != 8 ||
-        !are_numbers(&e)) {
+               &e.a, &e.b) != 8) {
         return -1;
     }
     for (int k = 0; k < EVENT_OPEN; k++) {
         if (strcmp(word, words[k]) == 0) {
             e.kind = (app_event_kind)k;
             *event = e;
-            return 1;
+            return app_event_is_good(&e) ? 1 : -1;
         }
     }
     return -1;

@@ -70,6 +70,11 @@ typedef struct app_event {
 
 enum { EVENT_PATH_SIZE = 512 };
 
+// Whether its numbers are ones that a file of events may hold, and whether a path is. Who takes
+// events from a person leaves out others, so that all that was done can be done again.
+int app_event_is_good(const app_event *event);
+int app_event_can_name(const char *path);
+
 // Write one as a line of text, or read the next; 0 at the end, -1 for a line that is none. `path`
 // is the file of EVENT_OPEN and EVENT_TIP; other events have none.
 void app_event_write(FILE *file, const app_event *event, const char *path);

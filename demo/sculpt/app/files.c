@@ -44,26 +44,34 @@ int app_look_anew(app *a)
     return 1;
 }
 
-static void record_path(app *a, app_event_kind kind, const char *path)
+// 0 where a record could not name it: then it is not opened either.
+static int record_path(app *a, app_event_kind kind, const char *path)
 {
     const app_event event = {kind, 0, 0, 0, 0, 0, 0, 0};
+    a->is_stale = 1;
+    if (!app_event_can_name(path)) {
+        snprintf(a->editor->said, sizeof a->editor->said,
+                 "A file's name has 1 to %d bytes, on one line.", EVENT_PATH_SIZE - 1);
+        return 0;
+    }
     if (a->record != NULL) {
         app_event_write(a->record, &event, path);
     }
-    a->is_stale = 1;
+    return 1;
 }
 
 void app_open_brush(app *a, const char *path)
 {
-    record_path(a, EVENT_TIP, path);
-    (void)app_open_tip(a->editor, path);
+    if (record_path(a, EVENT_TIP, path)) {
+        (void)app_open_tip(a->editor, path);
+    }
 }
 
 void app_open_file(app *a, const char *path)
 {
     editor *e = a->editor;
-    record_path(a, EVENT_OPEN, path);
-    if (app_open_in_place(e, a->options, path) && editor_desk(e) == NULL) {
+    if (record_path(a, EVENT_OPEN, path) && app_open_in_place(e, a->options, path) &&
+        editor_desk(e) == NULL) {
         (void)app_look_anew(a);
     }
 }

@@ -6,6 +6,9 @@
 void app_take(void *user, const app_event *event)
 {
     app *a = user;
+    if (!app_event_is_good(event)) {
+        return;
+    }
     if (a->record != NULL) {
         app_event_write(a->record, event, NULL);
     }
