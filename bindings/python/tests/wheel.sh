@@ -50,9 +50,9 @@ for name in balance core golden grading laws mesh sculpting; do
         "$source/bindings/python/tests/tap.py" "test_$name") >"$folder/log" 2>&1
     ok $? "and passes $name there: $(grep -c '^ok' "$folder/log") cases"
 done
-"$folder/build/bin/pip" install -q --disable-pip-version-check mypy numpy cffi >"$folder/log" 2>&1 &&
-    (cd "$folder/clean/lib"/python3*/site-packages && "$folder/build/bin/mypy" --strict --ignore-missing-imports \
-        --cache-dir "$folder/mypy" -p libsf) >"$folder/log" 2>&1
+"$folder/build/bin/pip" install -q --disable-pip-version-check mypy >"$folder/log" 2>&1 &&
+    (cd "$folder" && build/bin/mypy --strict --ignore-missing-imports --python-executable clean/bin/python \
+        --cache-dir mypy -p libsf) >"$folder/log" 2>&1
 ok $? "mypy has nothing to say, strictly"
 # shellcheck disable=SC2086
 for version in $(printf '%s\n' $found | sed -n '1p;$p' | uniq); do
