@@ -12,7 +12,7 @@ exits 0 --help
 grep -q 'sculpt --headless --scene shaun' stdout
 ok $? "help has examples"
 exits 0 --version
-for bad in '--nonsense' '--headless' '--resolution 12' '--size 12' '--scene shaun part.stl' '--hash' 'a.stl b.stl' '--headless --hash --view 3' '--headless --record x --hash'; do
+for bad in '--nonsense' '--headless' '--resolution 12' '--size 12' '--scene shaun part.stl' '--hash' 'a.stl b.stl' '--headless --hash --view 3' '--headless --record x --hash' '--headless --workspace grade --scene shaun --hash'; do
     # shellcheck disable=SC2086
     exits 2 $bad
     [ -s stderr ]
@@ -77,6 +77,8 @@ same "$(cat stdout)" "$hash" "and its session gives the same"
 { echo 'set 0 0 1 0 0 0 0'; echo 'open first.session'; echo 'open nowhere.stl'; } >opens
 exits 0 --headless --scene pumpkin --resolution 96 --input opens --hash
 same "$(cat stdout)" "$hash" "a file that is opened is an event as well, and one that cannot be changes nothing"
+grep -q 'opens, line 3: .*nowhere.stl' stderr
+ok $? "which is said: $(cat stderr)"
 echo 'open ' >opens
 exits 3 --headless --input opens --hash
 grep -q 'line 1' stderr
@@ -174,6 +176,11 @@ graded=$(cat stdout)
 exits 0 --headless --workspace grade --size 800x600 --input grade --hash
 same "$(cat stdout)" "$graded" "and so does what was painted"
 exits 0 --headless --workspace grade --hash grade.vtk
+# Without input all is done that is under way at the beginning: the slice is part of it.
+alone=$(cat stdout)
+echo 'do 7 0 0 0 0 0 0' >slice
+exits 0 --headless --workspace grade --input slice --hash grade.vtk
+same "$(cat stdout)" "$alone" "a cage is sliced without being asked"
 [ "$graded" != "$balanced" ]
 ok $? "a hash each"
 # From one to the other and back, with a shape that was sculpted.

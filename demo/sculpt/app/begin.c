@@ -51,6 +51,7 @@ int app_open_in_place(editor *e, const app_options *options, const char *path)
 {
     desk *d = editor_desk(e);
     if (e->drag != DRAG_NONE) {
+        snprintf(e->said, sizeof e->said, "%.200s: let go of the mouse first.", path);
         return 0;
     }
     int good = d != NULL ? d->is->open(d, path, e->said) : open_shape(e, options, path);
@@ -63,7 +64,11 @@ int app_open_in_place(editor *e, const app_options *options, const char *path)
 
 int app_open_tip(editor *e, const char *path)
 {
-    sf_mesh *mesh = e->drag == DRAG_NONE ? mesh_file_read(path, e->said) : NULL;
+    if (e->drag != DRAG_NONE) {
+        snprintf(e->said, sizeof e->said, "%.200s: let go of the mouse first.", path);
+        return 0;
+    }
+    sf_mesh *mesh = mesh_file_read(path, e->said);
     if (mesh == NULL) {
         return 0;
     }

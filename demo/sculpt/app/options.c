@@ -135,6 +135,8 @@ static app_asked check(const app_options *o)
     const char *why = NULL;
     if ((o->file != NULL) + (o->scene != NULL) + (o->session != NULL) > 1) {
         why = "give a mesh, a --scene or a --session, one of them";
+    } else if (o->work == WORK_GRADE && (o->scene != NULL || o->session != NULL)) {
+        why = "the workspace grade begins with a cage, which no --scene and no --session is";
     } else if (!o->headless && (o->hash || o->bench)) {
         why = "--hash and --bench go with --headless";
     } else if (o->headless && o->shot == NULL && !o->hash && !o->bench && o->save == NULL) {

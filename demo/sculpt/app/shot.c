@@ -16,6 +16,7 @@
 #include "app/editor.h"
 #include "app/save.h"
 #include "app/show.h"
+#include "app/work.h"
 #include "gl/headless.h"
 #include "view/upload.h"
 #include "view/view.h"
@@ -27,6 +28,15 @@ static int complain(int status, const char *why)
 {
     fprintf(stderr, "sculpt: %s\n", why);
     return status;
+}
+
+// What cannot be opened could not be when it was recorded either, as a rule: it is said, and what
+// follows is done.
+static void note(int good, const char *path, int line, const editor *e)
+{
+    if (!good) {
+        fprintf(stderr, "sculpt: %s, line %d: %s\n", path, line, e->said);
+    }
 }
 
 // Do what was recorded.
@@ -41,9 +51,9 @@ static int replay(const app_options *o, editor *e)
         more = app_event_read(file, &event, opened);
         line++;
         if (more > 0 && event.kind == EVENT_OPEN) {
-            (void)app_open_in_place(e, o, opened);
+            note(app_open_in_place(e, o, opened), path, line, e);
         } else if (more > 0 && event.kind == EVENT_TIP) {
-            (void)app_open_tip(e, opened);
+            note(app_open_tip(e, opened), path, line, e);
         } else if (more > 0) {
             editor_take(e, &event);
         }
@@ -223,11 +233,23 @@ static int set_up(const app_options *o, studio *s)
     return o->gpu && s->twin == NULL ? complain(NO_RESOURCE, why) : GOOD;
 }
 
+// A desk that begins with something under way, which a window would have done by now.
+static void finish(editor *e)
+{
+    const app_event step = {EVENT_DO, DO_STEP, 0, 0, 0, 0, 0, 0};
+    while (work_is_busy(e)) {
+        editor_take(e, &step);
+    }
+}
+
 static int do_all(const app_options *o, studio *s)
 {
     char why[APP_WHY_SIZE] = "";
     if (o->input != NULL && !replay(o, s->editor)) {
         return WRONG_INPUT;
+    }
+    if (o->input == NULL) { // what is played has its own pieces of work in it
+        finish(s->editor);
     }
     if (o->hash) {
         const desk *d = editor_desk(s->editor);

@@ -164,7 +164,8 @@ static int shoot(app *a)
 static int step_on(app *a)
 {
     const app_event step = {EVENT_DO, DO_STEP, 0, 0, 0, 0, 0, 0};
-    if (!work_is_busy(a->editor) || a->options->shot != NULL) {
+    const app_options *o = a->options;
+    if (!work_is_busy(a->editor) || (o->shot != NULL && o->input != NULL)) {
         return 0;
     }
     app_take(a, &step);
