@@ -76,6 +76,8 @@ static void what_falls_is_made_to_stand(void)
     CHECK(!a->is->is_busy(a));
     run(b);
     CHECK(a->is->hash(a) == b->is->hash(b) && a->is->hash(a) != before);
+    a->is->act(a, BALANCE_RUN); // nothing is left to do, which is said
+    CHECK(!s->is_running && strstr(a->said, "ended") != NULL);
     a->is->act(a, DO_CLEAR);
     CHECK(a->is->hash(a) != b->is->hash(b) && !s->has_report && !s->stands);
     a->is->destroy(a);

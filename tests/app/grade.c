@@ -365,6 +365,42 @@ static void a_stroke_has_one_tool(void)
     d->is->destroy(d);
 }
 
+// What a person should read stays as long as it is so, and no longer.
+static void sentences(void)
+{
+    desk *d = make();
+    const grade_state *s = grade_desk_state(d);
+    double x = s->cage.positions[0], z = s->cage.positions[2];
+    d->is->key(d, ' ', 0);
+    CHECK(strstr(d->said, "selected") != NULL);
+    d->is->act(d, GRADE_ALL);
+    d->is->key(d, ' ', 0);
+    CHECK_STR(d->said, "");
+    d->is->act(d, GRADE_NONE);
+    desk_pointer p = from_front(x, z, 0), q = from_front(x + 60, z, 0), mid = from_front(20, 14, 0);
+    d->is->set(d, GRADE_TOOL, GRADE_MOVE);
+    d->is->press(d, &p);
+    d->is->drag(d, &q);
+    d->is->release(d);
+    CHECK(s->inverted_cells > 0);
+    d->is->set(d, GRADE_TOOL, GRADE_BRUSH);
+    go_on(d);              // to the section, which the pointer meets
+    d->is->press(d, &mid); // painting mends no cell
+    CHECK(s->has_place);
+    d->is->release(d);
+    CHECK(s->inverted_cells > 0 && strstr(d->said, "inside out") != NULL);
+    d->is->set(d, GRADE_RADIUS, 1e-3);
+    d->is->press(d, &mid);
+    d->is->release(d);
+    CHECK(strstr(d->said, "larger") != NULL);
+    d->is->act(d, DO_UNDO);
+    d->is->act(d, DO_UNDO);
+    d->is->act(d, DO_UNDO);
+    CHECK(s->inverted_cells == 0);
+    CHECK_STR(d->said, "");
+    d->is->destroy(d);
+}
+
 int main(void)
 {
     TEST(the_surface_is_the_limit);
@@ -377,5 +413,6 @@ int main(void)
     TEST(it_shows);
     TEST(the_amount_is_one_that_can_be);
     TEST(a_stroke_has_one_tool);
+    TEST(sentences);
     return test_finish();
 }

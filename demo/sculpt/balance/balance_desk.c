@@ -157,6 +157,18 @@ static void give_up(balance *b)
     b->state.selected = -1;
 }
 
+// On, or stop. What has ended is not gone on with: nothing would come of it.
+static void run(balance *b)
+{
+    balance_state *s = &b->state;
+    if (!s->is_running && s->has_report && s->report.ended) {
+        snprintf(b->base.said, sizeof b->base.said,
+                 "It has ended: change what is asked for, move a handle, or begin anew.");
+        return;
+    }
+    s->is_running = !s->is_running;
+}
+
 static void act(desk *d, int action)
 {
     balance *b = (balance *)d;
@@ -178,7 +190,7 @@ static void act(desk *d, int action)
         balance_step(b);
         break;
     case BALANCE_RUN:
-        b->state.is_running = !b->state.is_running;
+        run(b);
         break;
     case BALANCE_ROUND:
         b->is_pending = 1;

@@ -51,6 +51,18 @@ static void find_bounds(grade *g)
     }
 }
 
+void grade_say(grade *g, const char *text)
+{
+    const grade_state *s = &g->state;
+    if (text[0] == '\0' && s->inverted_cells > 0) {
+        snprintf(g->base.said, sizeof g->base.said,
+                 "%zu cell%s inside out, the first is number %zu: move its points back.",
+                 s->inverted_cells, s->inverted_cells == 1 ? " is" : "s are", s->first_inverted);
+    } else {
+        snprintf(g->base.said, sizeof g->base.said, "%s", text);
+    }
+}
+
 // Cells that lie inside out are said, and not refused: the next edit may mend them.
 static void check(grade *g)
 {
@@ -61,14 +73,7 @@ static void check(grade *g)
         g->state.inverted_cells = r.inverted_cells;
         g->state.first_inverted = r.first_inverted;
     }
-    if (g->state.inverted_cells > 0) {
-        snprintf(g->base.said, sizeof g->base.said,
-                 "%zu cell%s inside out, the first is number %zu: move its points back.",
-                 g->state.inverted_cells, g->state.inverted_cells == 1 ? " is" : "s are",
-                 g->state.first_inverted);
-    } else {
-        g->base.said[0] = '\0';
-    }
+    grade_say(g, "");
 }
 
 void grade_follow(grade *g, int places_too)

@@ -60,6 +60,9 @@ int grade_take(grade *g, sf_cage *cage, char why[DESK_WHY_SIZE]);
 // The cage has been changed: what follows from it is brought up to date, but for the section.
 void grade_follow(grade *g, int places_too);
 
+// Say a sentence; nothing: then that cells lie inside out, where some do.
+void grade_say(grade *g, const char *text);
+
 // Keep what has been changed as one step.
 void grade_record(grade *g);
 

@@ -140,12 +140,15 @@ static void apply(grade *g, int to_places)
 {
     grade_state *s = &g->state;
     size_t changed = 0;
+    if (s->selected_count == 0) {
+        grade_say(g, "No point is selected: click on one, or take all with A.");
+        return;
+    }
     sf_status status = to_places ? sf_paint_smooth(g->cage, g->selected, 0.5, NULL, &changed)
                                  : sf_paint_values(g->cage, s->channel, g->selected, s->operation,
                                                    s->amount, NULL, &changed);
-    if (status != SF_OK) {
-        snprintf(g->base.said, sizeof g->base.said, "%s", sf_status_message(status));
-    } else if (changed > 0) {
+    grade_say(g, status != SF_OK ? sf_status_message(status) : "");
+    if (status == SF_OK && changed > 0) {
         grade_record(g);
         grade_follow(g, to_places);
     }

@@ -2,7 +2,6 @@
 // The pointer at the Grade desk: points are found in the picture, the brush's place by a ray.
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "app/event.h"
@@ -140,11 +139,10 @@ static void paint(grade *g, const double from[3])
                                  &changed);
     }
     if (status != SF_OK) {
-        snprintf(g->base.said, sizeof g->base.said, "%s", sf_status_message(status));
+        grade_say(g, sf_status_message(status));
         return;
     }
-    snprintf(g->base.said, sizeof g->base.said, "%s",
-             touched == 0 ? "The brush meets no point of the cage: make it larger." : "");
+    grade_say(g, touched == 0 ? "The brush meets no point of the cage: make it larger." : "");
     if (changed > 0) {
         g->has_moved = 1;
         grade_follow(g, 0);

@@ -216,7 +216,7 @@ void grade_section_make(grade *g)
     grade_section_free(&g->section);
     memset(g->state.counts, 0, sizeof g->state.counts);
     if (strncmp(g->base.said, no_section, strlen(no_section)) == 0) {
-        g->base.said[0] = '\0'; // of the one before
+        grade_say(g, ""); // of the one before
     }
     if (!g->state.is_cut || g->state.cage.dimension != 3) {
         return;
