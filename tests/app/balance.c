@@ -251,6 +251,27 @@ static void the_handle_in_hand_stays_in_it(void)
     d->is->destroy(d);
 }
 
+// A shape that takes the place of one which was carved is judged by how it rests itself.
+static void another_shape_is_judged_by_itself(void)
+{
+    char why[DESK_WHY_SIZE] = "";
+    desk *d = make(), *fresh = make();
+    const balance_state *s = balance_desk_state(d), *f = balance_desk_state(fresh);
+    write_slab("balance_next.obj", 1);
+    d->is->act(d, BALANCE_ROUND);
+    go_on(d, 4);
+    CHECK(s->has_report);
+    CHECK(d->is->open(d, "balance_next.obj", why));
+    CHECK(fresh->is->open(fresh, "balance_next.obj", why));
+    CHECK(!s->has_report && f->safe && s->safe && s->stands);
+    CHECK_NEAR(s->margin_rad, f->margin_rad, 1e-12);
+    CHECK_NEAR(s->before_rad, f->before_rad, 1e-12);
+    CHECK(d->is->hash(d) == fresh->is->hash(fresh));
+    d->is->destroy(d);
+    fresh->is->destroy(fresh);
+    unlink("balance_next.obj");
+}
+
 static void files(void)
 {
     char why[DESK_WHY_SIZE] = "";
@@ -329,6 +350,7 @@ int main(void)
     TEST(a_handle_goes_into_the_middle);
     TEST(a_handle_too_many_is_left_out);
     TEST(the_handle_in_hand_stays_in_it);
+    TEST(another_shape_is_judged_by_itself);
     TEST(files);
     TEST(a_sculpted_shape);
     TEST(it_shows);

@@ -46,7 +46,8 @@ void balance_forget(balance *b);
 // stand: then it stays the caller's, all is as it was, and `why` gets a sentence.
 int balance_take_mesh(balance *b, sf_mesh *mesh, char why[DESK_WHY_SIZE]);
 
-// Bring what is placed to where the plan says, and judge it. 0 where there is no memory.
+// Bring what is placed to where the plan says, and judge it. 0 where there is no memory: then it
+// rests as before.
 int balance_place(balance *b);
 
 // The shape that the desk begins with: balls that lean. NULL where there is no memory.

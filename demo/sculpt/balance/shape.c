@@ -90,6 +90,9 @@ static sf_status judge_placed(balance *b)
 int balance_place(balance *b)
 {
     sf_mesh *moved = NULL, *was = b->placed;
+    sf_stance *stances[BALANCE_STANCES_MAX];
+    memcpy(stances, b->stances, sizeof stances);
+    memset(b->stances, 0, sizeof b->stances);
     sf_status status = copy_mesh(sf_mesh_get_view(b->given), &moved);
     if (status == SF_OK) {
         status = sf_mesh_transform(moved, &b->state.plan.turn);
@@ -100,7 +103,12 @@ int balance_place(balance *b)
     }
     if (status == SF_OK) {
         sf_mesh_destroy(was);
+        for (int i = 0; i < BALANCE_STANCES_MAX; i++) {
+            sf_stance_destroy(stances[i]);
+        }
     } else {
+        drop_stances(b);
+        memcpy(b->stances, stances, sizeof stances);
         b->placed = was;
         sf_mesh_destroy(moved);
         snprintf(b->base.said, sizeof b->base.said, "%s", sf_status_message(status));
@@ -167,15 +175,19 @@ int balance_take_mesh(balance *b, sf_mesh *mesh, char why[DESK_WHY_SIZE])
     }
     balance_state was = b->state;
     sf_mesh *given = b->given;
+    sf_stand *stand = b->stand; // which must not be asked how another shape rests
+    b->stand = NULL;
     b->given = mesh;
     b->state.plan = first_plan(low, high, size);
     if (!balance_place(b)) {
         snprintf(why, DESK_WHY_SIZE, "%s", b->base.said);
         b->given = given;
+        b->stand = stand;
         b->state = was;
         return 0;
     }
     sf_mesh_destroy(given);
+    sf_stand_destroy(stand);
     b->state.size_mm = size;
     b->state.triangle_count = sf_mesh_get_view(mesh).triangle_count;
     b->state.selected = b->state.hovered = -1;
