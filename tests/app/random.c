@@ -6,6 +6,8 @@
 #include "test.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <unistd.h>
 
 #include "app/event.h"
 #include "balance/balance_desk.h"
@@ -60,6 +62,13 @@ static void call(desk *d, int first, int settings, int actions)
     static const int editors[] = {DO_UNDO, DO_REDO, DO_CLEAR, DO_GIVE_UP, DO_STEP};
     static const char keys[] = " ASNLXHCVB[]1234Q\x1b";
     desk_pointer p = somewhere(d);
+    if (test_random_below(40) == 0) { // a file of either kind, or one that there is not
+        static const char *const files[] = {"random.obj", "random.vtk", "random.none"};
+        char why[DESK_WHY_SIZE] = "";
+        int is_open = d->is->open(d, files[test_random_below(3)], why);
+        CHECK(is_open || why[0] != '\0');
+        return;
+    }
     switch (test_random_below(9)) {
     case 0:
         d->is->hover(d, &p);
@@ -165,6 +174,26 @@ static desk *small_balance(void)
     return d;
 }
 
+static void write_file(const char *name, const char *text)
+{
+    FILE *f = fopen(name, "w");
+    CHECK(f != NULL && fputs(text, f) >= 0);
+    CHECK(f != NULL && fclose(f) == 0);
+}
+
+// A leaning prism, and a wedge whose property goes up to that of steel.
+static void write_files(void)
+{
+    write_file("random.obj", "v 0 0 0\nv 20 0 0\nv 10 20 0\nv 15 5 30\nv 35 5 30\nv 25 25 30\n"
+                             "f 1 3 2\nf 4 5 6\nf 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 3 1 4\n"
+                             "f 3 4 6\n");
+    write_file("random.vtk",
+               "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n"
+               "0 0 0 1 0 0 0 1 0 0 0 1 1 0 1 0 1 1\nCELLS 1 7\n6 0 1 2 3 4 5\nCELL_TYPES 1\n13\n"
+               "POINT_DATA 6\nSCALARS stiffness double 1\nLOOKUP_TABLE default\n"
+               "2.1e11 2e9 3e9 4e9 1 0\n");
+}
+
 static void at_balance(void)
 {
     const int settings = BALANCE_COUNT - BALANCE_TOOL, actions = BALANCE_ONE_STANCE - BALANCE_RUN;
@@ -185,7 +214,10 @@ static void at_grade(void)
 
 int main(void)
 {
+    write_files();
     TEST(at_balance);
     TEST(at_grade);
+    unlink("random.obj");
+    unlink("random.vtk");
     return test_finish();
 }
