@@ -1,4 +1,5 @@
-# Writes the Rust externs from bindings/api/api.json, and the table that their layout is tested by.
+# Writes the Rust externs from bindings/api/api.json, the table that their layout is tested by, and what the
+# safe crate has of that file (safe.py).
 #
 # They are committed, so that whoever builds the crate needs no generator; tests/rust compares. Enums
 # become numbers with constants, because C may hand over a value that is none of them, which no enum
@@ -12,6 +13,8 @@ import os
 import re
 import sys
 import textwrap
+
+import safe
 
 KEYWORDS = {"as", "box", "const", "crate", "dyn", "else", "enum", "extern", "fn", "for", "if", "impl",
             "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "static",
@@ -199,10 +202,12 @@ pub fn functions() -> [*const (); {len(api["functions"])}] {{
 
 def main():
     source = os.path.abspath(sys.argv[1])
-    folder = os.path.join(source, "bindings", "rust", "libsf-sys")
+    folder = os.path.join(source, "bindings", "rust")
     with open(os.path.join(source, "bindings", "api", "api.json"), encoding="utf-8") as file:
         api = json.load(file)
-    made = {"src/externs.rs": externs(api), "tests/layout/numbers.rs": layout(api)}
+    made = {"libsf-sys/src/externs.rs": externs(api), "libsf-sys/tests/layout/numbers.rs": layout(api)}
+    for name, text in safe.made(api, os.path.join(folder, "libsf")).items():
+        made[f"libsf/{name}"] = text
     behind = []
     for name, text in made.items():
         path = os.path.join(folder, name)

@@ -1,7 +1,7 @@
-# Why: the crate is another way to build libsf and another reader of its interface, and nobody who works
-# on the library runs it. Its own tests are run here, on the library that it compiles and on the one that
-# this build has made; that its committed externs are those of the interface, and that the archive that
-# is published holds every source, is tried as well.
+# Why: the crates are another way to build libsf and other readers of its interface, and nobody who works
+# on the library runs them. Their own tests are run here, on the library that they compile and on the one that
+# this build has made; that what is committed of api.json is that of the interface, that the archives that
+# are published hold every source, and that the documentation has no dead links, is tried as well.
 # usage: rust.sh SOURCE BUILD CARGO PYTHON SYSTEM; SYSTEM is yes where this build's library can be linked to
 set -u
 source=$1 build=$2 cargo=$3 python=$4 system=$5
@@ -27,27 +27,27 @@ skip() {
 mkdir -p "$here"
 if [ -n "$python" ]; then
     "$python" -B "$source/bindings/rust/generate.py" "$source" --check >"$here/log" 2>&1
-    ok $? "the externs are those of api.json"
+    ok $? "externs, records and words are those of api.json"
 else
-    skip "the externs are those of api.json" "python3 is not installed"
+    skip "externs, records and words are those of api.json" "python3 is not installed"
 fi
 
 # Cargo writes beside what it builds, so it gets a copy; the sources stay where they are.
 rm -rf "$here/crates"
 cp -Rp "$source/bindings/rust" "$here/crates"
-for link in vendor:libsf LICENSE:LICENSE; do
-    rm -f "$here/crates/libsf-sys/${link%:*}"
-    ln -s "$source/${link#*:}" "$here/crates/libsf-sys/${link%:*}"
+for link in libsf-sys/vendor:libsf libsf-sys/LICENSE:LICENSE libsf/LICENSE:LICENSE; do
+    rm -f "$here/crates/${link%:*}"
+    ln -s "$source/${link#*:}" "$here/crates/${link%:*}"
     # A link that looks new would have all of libsf compiled again.
-    touch -h -r "$source/meson.build" "$here/crates/libsf-sys/${link%:*}"
+    touch -h -r "$source/meson.build" "$here/crates/${link%:*}"
 done
 [ ! -f "$here/Cargo.lock" ] || cp -p "$here/Cargo.lock" "$here/crates/Cargo.lock"
 cd "$here/crates" || exit 99
 export CARGO_TARGET_DIR="$here/target" CARGO_TERM_COLOR=never
 # A machine without a net is told so soon, and not after many tries.
 if ! CARGO_NET_RETRY=0 CARGO_HTTP_TIMEOUT=20 "$cargo" fetch >"$here/log" 2>&1; then
-    for what in "every source is in the archive" "the crate compiles libsf, and its tests pass" \
-        "its tests pass on this build's library"; do
+    for what in "every source is in the archives" "the crates compile libsf, and their tests pass" \
+        "the documentation has no warnings" "their tests pass on this build's library"; do
         skip "$what" "the crates that it is built with cannot be had"
     done
     echo "1..$count"
@@ -59,17 +59,26 @@ cp -p Cargo.lock "$here/Cargo.lock"
 "$cargo" package --list --allow-dirty -p libsf-sys >"$here/list" 2>"$here/log"
 (cd "$source/libsf" && find . -name '*.[ch]' -o -name '*.inc') | sed 's:^\./:vendor/:' | sort >"$here/wanted"
 grep '^vendor/' "$here/list" | sort | diff "$here/wanted" - >"$here/log" && [ -s "$here/wanted" ]
-ok $? "every source is in the archive"
+same=$?
+"$cargo" package --list --allow-dirty -p libsf >"$here/list" 2>>"$here/log"
+(cd "$source/bindings/rust/libsf" && find . -name '*.rs') | sed 's:^\./::' | sort >"$here/wanted"
+grep '\.rs$' "$here/list" | sort | diff "$here/wanted" - >>"$here/log" && [ "$same" -eq 0 ]
+ok $? "every source is in the archives"
 
-"$cargo" test --offline >"$here/log" 2>&1 && grep -q '^test c_and_rust_agree_on_every_number ... ok' "$here/log"
-ok $? "the crate compiles libsf, and its tests pass"
+"$cargo" test --offline --features libsf/ndarray >"$here/log" 2>&1 &&
+    grep -q '^test c_and_rust_agree_on_every_number ... ok' "$here/log" &&
+    grep -q '^test a_trim_is_the_largest_part_that_stands ... ok' "$here/log"
+ok $? "the crates compile libsf, and their tests pass"
+
+RUSTDOCFLAGS='-D warnings' "$cargo" doc --offline --no-deps --features libsf/ndarray >"$here/log" 2>&1
+ok $? "the documentation has no warnings"
 
 if [ "$system" = yes ]; then
     PKG_CONFIG_PATH=$build/meson-uninstalled LD_LIBRARY_PATH=$build/libsf:$build/libsf/io \
-        "$cargo" test --offline --features system >"$here/log" 2>&1
-    ok $? "its tests pass on this build's library"
+        "$cargo" test --offline --no-default-features --features system >"$here/log" 2>&1
+    ok $? "their tests pass on this build's library"
 else
-    skip "its tests pass on this build's library" "this build's library is not one to link to"
+    skip "their tests pass on this build's library" "this build's library is not one to link to"
 fi
 echo "1..$count"
 exit $((failures > 0))

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//! Shapes that print without supports, that stand, and that are graded between materials.
+//!
+//! A shape is a [`Grid`] of voxels on a [`Lattice`], a bit each; a [`Rule`] says what may rest on what.
+//! [`Grid::check`] names the places that nothing carries; [`Grid::trim`] takes away what hangs,
+//! [`Grid::grow`] adds what is missing, [`Grid::repair`] weighs the two, and [`Grid::preserve`] removes a
+//! brush but for what of it carries the rest. A [`Checker`] takes layers as they come. Grids come out of
+//! meshes and go back into them: [`Mesh::voxelize`], [`Grid::surface`].
+//!
+//! ```
+//! use libsf::{Grid, Lattice, MeshFormat, Rule};
+//!
+//! fn main() -> libsf::Result<()> {
+//!     // A table: four legs, and a top that hangs over them.
+//!     let lattice = Lattice::new(48, 48, 24, 0.5, 0.5)?;
+//!     let mut table = Grid::from_fn(&lattice, |layer, y, x| {
+//!         let leg = |i: u32| (12..15).contains(&i) || (33..36).contains(&i);
+//!         layer >= 21 || (leg(x) && leg(y))
+//!     })?;
+//!
+//!     let rule = Rule::octagon(std::f64::consts::FRAC_PI_4);
+//!     let checked = table.check(rule, None)?;
+//!     println!("{} voxels hang in the air", checked.report.unsupported_voxels);
+//!
+//!     let report = table.repair(rule, &Default::default(), None)?;
+//!     assert!(table.check(rule, None)?.support_free());
+//!     assert!(report.cost <= report.trim_cost.unwrap());
+//!
+//!     let mut stl = Vec::new();
+//!     table.surface(0, None)?.write(&mut stl, MeshFormat::Stl)?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! # What holds everywhere
+//!
+//! - A call that fails returns an [`Error`] and has changed nothing.
+//! - Lengths are in mm, angles in radians, arrays in (layer, y, x) order.
+//! - Results are the same bytes for any number of threads, processor and compiler.
+//! - A long call takes a [`Task`]: progress, threads of the caller's, and a [`Canceller`] for other
+//!   threads. Callbacks may panic: the call is stopped, and the panic goes on when it has returned.
+//! - Types are [`Send`]; those that many threads may read at once are [`Sync`].
+//! - Words are those of the C headers, and what they say of `SF_ERR_SHAPE` holds for
+//!   [`ErrorKind::Shape`]. What is not here yet is in [`sys`].
+//!
+//! # Features
+//!
+//! | feature | what it does |
+//! |---|---|
+//! | `ndarray` | arrays in and out: [bools](Grid::from_bools), and the grid's own words |
+//! | `system` | links to an installed libsf and libsf-io, found by pkg-config, and compiles nothing |
+
+#![deny(unsafe_op_in_unsafe_fn)]
+#![warn(missing_docs, missing_debug_implementations)]
+
+pub use libsf_sys as sys;
+
+#[macro_use]
+#[rustfmt::skip]
+mod words;
+#[rustfmt::skip]
+mod records;
+
+#[cfg(feature = "ndarray")]
+mod array;
+mod caught;
+mod check;
+mod error;
+mod grid;
+mod lattice;
+mod mesh;
+mod operators;
+mod rule;
+mod slice;
+mod stream;
+mod task;
+
+pub use check::{CheckOptions, Checked, Checker, VoidsOptions};
+pub use error::{Error, Result};
+pub use grid::Grid;
+pub use lattice::Lattice;
+pub use mesh::{Mesh, Voxelizer};
+pub use operators::{PreserveOptions, RepairOptions};
+pub use records::*;
+pub use rule::{Rule, Terms};
+pub use slice::{slice_stride, Slice, SliceMut};
+pub use task::{Canceller, Task};
+
+#[doc = words!(sf_version)]
+pub fn version() -> &'static str {
+    unsafe { std::ffi::CStr::from_ptr(sys::sf_version()) }.to_str().unwrap_or("")
+}

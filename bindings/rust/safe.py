@@ -1,0 +1,215 @@
+# Writes what the safe Rust crate has of bindings/api/api.json: its enums, its structs of numbers, and the
+# words of the headers.
+#
+# Structs that only carry results become structs of Rust's with the same fields: a flag becomes a bool, a
+# number that stands for "none" an Option, 128 bits a u128. Enums get a variant for numbers that have no name
+# here. The words go into a macro with an arm for everything that the crate's sources ask for:
+#
+#     words!(sf_grid_trim)                what a function does: its first sentence, and the rest
+#     words!(sf_grid_trim: bed_layer)     the same, with what is said of these parameters
+#     words!(sf_terms.keep)               what is said of a field
+#     words!(sf_terms)                    what is said of a type
+#
+# so that comments of the crate are those of the headers, and none is kept that nobody asks for.
+
+import os
+import re
+
+ENUMS = {"sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
+         "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat"}
+# Values that are no error, or no value at all.
+PASSED_OVER = {"SF_OK", "SF_STATUS_COUNT"}
+STRUCTS = {"sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
+           "sf_check_report": "CheckReport", "sf_finding": "Finding", "sf_void": "Void",
+           "sf_voids_report": "VoidsReport", "sf_steepest": "Steepest", "sf_trim_report": "TrimReport",
+           "sf_grow_report": "GrowReport", "sf_repair_report": "RepairReport",
+           "sf_preserve_report": "PreserveReport", "sf_topology": "Topology", "sf_mass": "Mass",
+           "sf_voxelize_report": "VoxelizeReport"}
+# Fields whose greatest number means that there is none.
+NONE = {"sf_check_report.bed_layer", "sf_finding.cause", "sf_void.vent_layer", "sf_voids_report.bed_layer",
+        "sf_steepest.layer", "sf_trim_report.bed_layer", "sf_grow_report.bed_layer",
+        "sf_repair_report.bed_layer", "sf_repair_report.trim_cost", "sf_repair_report.grow_cost"}
+# What callers hand in as well: they are turned back.
+BOTH_WAYS = {"sf_rect", "sf_box"}
+NUMBERS = {"uint32_t": "u32", "uint64_t": "u64", "size_t": "usize", "double": "f64"}
+HEAD = """// SPDX-License-Identifier: MIT
+// Results and choices of the library as Rust has them. Written by bindings/rust/generate.py.
+
+use crate::sys;
+"""
+
+
+# --- words -------------------------------------------------------------------------------------------
+
+
+def linked(text, api):
+    """Prose in which names of C lead to their externs, and no other sign means anything to rustdoc."""
+    parts = text.split("`")
+    for i in range(0, len(parts), 2):
+        part = re.sub(r"([\[\]<>*])", r"\\\1", parts[i])
+        parts[i] = re.sub(r"\b(sf_\w+|SF_[A-Z0-9_]+)\b(\(\))?", lambda m: link(m, api), part)
+    return "`".join(parts)
+
+
+def link(found, api):
+    name = found.group(1)
+    if name not in api["names"]:
+        return found.group(0)
+    return f"[`{name}{found.group(2) or ''}`](crate::sys::{name})"
+
+
+def prose(text, api):
+    """Paragraphs of a comment as rustdoc takes them."""
+    parts = []
+    for part in [p for p in text.split("\n\n") if p]:
+        parts.append(f"```text\n{part}\n```" if part.startswith("   ") else linked(part, api))
+    return "\n\n".join(parts)
+
+
+def of_function(f, names, api):
+    said = [prose(f["summary"], api), prose(f["doc"], api)]
+    lists = []
+    for name in names:
+        found = [p for p in f["parameters"] if p["name"] == name]
+        if not found:
+            raise SystemExit(f"{f['name']} has no parameter {name}")
+        lists.append(f"- `{name}`: {linked(found[0]['doc'], api)}")
+    for tag in ("cost", "threads", "source"):
+        if f.get(tag):
+            lists.append(f"- {tag}: {linked(f[tag], api)}")
+    lists.append(f"- in C: [`{f['name']}()`](crate::sys::{f['name']})")
+    return "\n\n".join([s for s in said if s] + ["\n".join(lists)])
+
+
+def sentence(api, asked):
+    """What stands for an argument of words!()."""
+    name, _, more = asked.partition(":")
+    name = name.strip()
+    names = [m.strip() for m in more.split(",") if m.strip()]
+    if "." in name:
+        struct, field = name.split(".")
+        found = [f for s in api["structs"] if s["name"] == struct for f in s["fields"] if f["name"] == field]
+        if not found:
+            raise SystemExit(f"there is no field {name}")
+        return linked(found[0]["doc"][:1].upper() + found[0]["doc"][1:] + ".", api)
+    for f in api["functions"]:
+        if f["name"] == name:
+            return of_function(f, names, api)
+    for kind in ("structs", "enums", "opaque", "callbacks", "constants"):
+        for thing in api[kind]:
+            if thing["name"] == name:
+                return prose(thing["doc"], api)
+    raise SystemExit(f"the headers say nothing of {name}")
+
+
+def quoted(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
+
+
+def words(api, folder):
+    asked = set()
+    for place, folders, files in os.walk(folder):
+        folders.sort()
+        for file in sorted(files):
+            if file.endswith(".rs") and file != "words.rs":
+                with open(os.path.join(place, file), encoding="utf-8") as text:
+                    asked.update(" ".join(m.split()) for m in re.findall(r"words!\(([^)]*)\)", text.read()))
+    arms = "".join(f"    ({a}) => {{\n        {quoted(sentence(api, a))}\n    }};\n" for a in sorted(asked))
+    return ("// SPDX-License-Identifier: MIT\n// The words of the headers, for comments. Written by "
+            f"bindings/rust/generate.py.\n\nmacro_rules! words {{\n{arms}}}\n")
+
+
+# --- enums and structs --------------------------------------------------------------------------------
+
+
+def comment(text, api, indent=""):
+    lines = prose(text, api).split("\n")
+    return "".join(f"{indent}/// {line}".rstrip() + "\n" for line in lines)
+
+
+def variants(e):
+    """The values of an enum with the names that Rust gives them."""
+    values = [v for v in e["values"] if v["name"] not in PASSED_OVER]
+    start = os.path.commonprefix([v["name"] for v in values])
+    start = start[:start.rindex("_") + 1]
+    for v in values:
+        yield v, "".join(w.capitalize() for w in v["name"][len(start):].split("_"))
+
+
+def enum(e, api):
+    name = ENUMS[e["name"]]
+    text = comment(e["doc"], api) + "#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[non_exhaustive]\n"
+    text += f"pub enum {name} {{\n"
+    for v, said in variants(e):
+        text += comment(v["doc"], api, "    ") + f"    {said},\n"
+    text += "    /// a number that has no name here\n    Other(i32),\n}\n\n"
+    into = "".join(f"            {name}::{said} => sys::{v['name']},\n" for v, said in variants(e))
+    out = "".join(f"            sys::{v['name']} => {name}::{said},\n" for v, said in variants(e))
+    text += (f"impl {name} {{\n    #[allow(dead_code)]\n    pub(crate) fn c(self) -> sys::{e['name']} {{\n"
+             f"        match self {{\n{into}            {name}::Other(number) => number,\n        }}\n    }}\n\n"
+             f"    #[allow(dead_code)]\n    pub(crate) fn of(c: sys::{e['name']}) -> {name} {{\n"
+             f"        match c {{\n{out}            number => {name}::Other(number),\n        }}\n    }}\n}}\n")
+    return text
+
+
+def rust_name(f):
+    return f["name"] + "_" if f["name"] == "box" else f["name"]
+
+
+def field(s, f):
+    """Type of a field in Rust, and what makes it of the field of C."""
+    kind, c = f["type"], f"c.{rust_name(f)}"
+    if kind["kind"] == "array":
+        return f"[{NUMBERS[kind['of']['name']]}; {kind['count']}]", c
+    if kind["kind"] == "enum":
+        return ENUMS[kind["name"]], f"{ENUMS[kind['name']]}::of({c})"
+    if kind.get("name") == "sf_wide":
+        return "u128", f"u128::from({c}.high) << 64 | u128::from({c}.low)"
+    if kind["kind"] == "struct":
+        return STRUCTS[kind["name"]], f"{STRUCTS[kind['name']]}::of(&{c})"
+    if kind["name"] == "int":
+        return "bool", f"{c} != 0"
+    number = NUMBERS[kind["name"]]
+    if f"{s['name']}.{f['name']}" in NONE:
+        return f"Option<{number}>", f"({c} != {number}::MAX).then_some({c})"
+    return number, c
+
+
+def struct(s, api):
+    name = STRUCTS[s["name"]]
+    floats = any("f64" in field(s, f)[0] for f in s["fields"])
+    traits = "Clone, Copy, Debug, PartialEq" + ("" if floats else ", Eq, Hash")
+    traits += ", Default" if s["name"] in BOTH_WAYS else ""
+    text = f"{comment(s['doc'], api)}#[derive({traits})]\npub struct {name} {{\n"
+    made = ""
+    for f in s["fields"]:
+        kind, value = field(s, f)
+        none = " (`None` here)" if kind.startswith("Option") else ""
+        text += comment(f["doc"] + none, api, "    ") + f"    pub {rust_name(f)}: {kind},\n"
+        made += f"            {rust_name(f)}: {value},\n"
+    text += (f"}}\n\nimpl {name} {{\n    pub(crate) fn of(c: &sys::{s['name']}) -> {name} {{\n"
+             f"        {name} {{\n{made}        }}\n    }}\n")
+    if s["name"] in BOTH_WAYS:
+        back = "".join(f"            {f['name']}: self.{f['name']},\n" for f in s["fields"])
+        text += (f"\n    pub(crate) fn c(&self) -> sys::{s['name']} {{\n        sys::{s['name']} {{\n{back}"
+                 "        }\n    }\n")
+    return text + "}\n"
+
+
+def records(api):
+    text = HEAD
+    for e in api["enums"]:
+        if e["name"] in ENUMS:
+            text += "\n" + enum(e, api)
+    for s in api["structs"]:
+        if s["name"] in STRUCTS:
+            text += "\n" + struct(s, api)
+    return text
+
+
+def made(api, folder):
+    """The files of the crate in a folder: name and text."""
+    kinds = ("functions", "structs", "enums", "opaque", "callbacks", "constants")
+    api["names"] = {thing["name"] for kind in kinds for thing in api[kind]}
+    api["names"] |= {v["name"] for e in api["enums"] for v in e["values"]}
+    return {"src/records.rs": records(api), "src/words.rs": words(api, os.path.join(folder, "src"))}
