@@ -79,16 +79,21 @@ void show_paint(const outlet &out, const grade_state &s)
     static const char *const operations[3] = {"set to", "add", "smooth by"};
     static const char *const falloffs[4] = {"constant", "linear", "smooth", "a Gaussian's"};
     static const char *const wheres[3] = {"all points", "those outside", "those inside"};
-    double size = s.high_mm[0] - s.low_mm[0], most = s.operation == SF_PAINT_SMOOTH ? 1 : s.high;
-    size = s.high_mm[2] - s.low_mm[2] > size ? s.high_mm[2] - s.low_mm[2] : size;
+    double size = 0, least = s.low, most = s.high;
+    for (int i = 0; i < 3; i++) {
+        size = s.high_mm[i] - s.low_mm[i] > size ? s.high_mm[i] - s.low_mm[i] : size;
+    }
     out.choose("what", s.operation, operations, 3, GRADE_OPERATION);
-    double least = s.operation == SF_PAINT_ADD ? s.low - s.high : s.low;
     const sf_property &p = s.cage.channels[s.channel].property;
     if (s.operation == SF_PAINT_SET) {
         least = p.low > -1e30 && p.low < least ? p.low : least;
         most = p.high < 1e30 && p.high > most ? p.high : most;
-    } else if (s.operation == SF_PAINT_SMOOTH) {
+    } else if (s.operation == SF_PAINT_ADD) {
+        least = s.low - s.high;
+        most = s.high - s.low;
+    } else {
         least = 0;
+        most = 1;
     }
     out.slide("amount", s.amount, least, most, "%.4g", GRADE_AMOUNT);
     if (s.tool == GRADE_BRUSH) {
