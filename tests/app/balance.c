@@ -246,6 +246,16 @@ static void the_handle_in_hand_stays_in_it(void)
     d->is->drag(d, &q);
     d->is->release(d);
     CHECK(h[0].locked && !h[1].locked);
+    d->is->act(d, DO_UNDO);
+    CHECK(!h[0].locked);
+    // A move that is given up was none.
+    d->is->press(d, &p);
+    d->is->drag(d, &q);
+    CHECK(h[0].locked && s->undo_count == 2);
+    d->is->act(d, DO_GIVE_UP);
+    d->is->drag(d, &p);
+    d->is->release(d);
+    CHECK(!h[0].locked && s->undo_count == 1 && s->redo_count == 0 && !d->is->is_busy(d));
     d->is->set(d, BALANCE_SELECTED, 1);
     CHECK_EQ(s->selected, 1);
     d->is->destroy(d);

@@ -151,8 +151,13 @@ static void keep_one_stance(balance *b)
     }
 }
 
+// Stop; a handle that is being moved goes back to where it was, and is not moved again by redo.
 static void give_up(balance *b)
 {
+    if (b->is_dragging == 2) {
+        balance_undo(b);
+        b->state.redo_count--;
+    }
     b->state.is_running = b->is_pending = b->is_dragging = 0;
     b->state.selected = -1;
 }
