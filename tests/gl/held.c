@@ -136,13 +136,13 @@ static void a_step_that_is_too_large_empties_it(void)
     o.history_size = 4 * (size_t)r.capacity;
     twin t = twin_new(&o);
     sf_tip *small = box_tip(0, 0, 0), *large = box_tip(0, 20, 0);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 7; i++) { // after the large one four more, for which there is just room
         sf_brush b = brush_of(SF_BRUSH_ADD_TRIM, i == 2 ? large : small, 1);
         stroke_both(&t, &b, dab(i, 30, 0));
         ring_add(&r, (i == 2 ? 41u : 1u) * RECORD);
         check_ring(&t, &r);
     }
-    for (int i = 0; i < 3; i++) { // those after it can be undone, and no more
+    for (int i = 0; i < 4; i++) { // those after it can be undone, and no more
         CHECK(gpu_sculpt_undo(t.gpu) == SF_OK);
     }
     CHECK(gpu_sculpt_fetch(t.gpu, t.drawn, NULL, NULL) == SF_OK);
@@ -328,8 +328,17 @@ static void paths_along_the_border(void)
     }
 }
 
-// A plate on the bed and nothing else, put there, undone and done again: paths come down onto what
-// is there then, and not onto what was.
+// Look at the bed without changing anything: a stroke that is given up.
+static void look_at_bed(twin *t, const sf_brush *grow, sf_dab at)
+{
+    sf_sculpt_change c;
+    CHECK(sf_sculpt_begin(t->cpu, grow) == SF_OK && gpu_sculpt_begin(t->gpu, grow) == SF_OK);
+    CHECK(sf_sculpt_dab(t->cpu, &at, 1, &c) == SF_OK && gpu_sculpt_dab(t->gpu, &at, 1) == SF_OK);
+    CHECK(sf_sculpt_abandon(t->cpu, &c) == SF_OK && gpu_sculpt_abandon(t->gpu) == SF_OK);
+}
+
+// A plate on the bed and nothing else, put there and taken away, just after the bed was looked at:
+// paths come down onto what is there then, and not onto what was.
 static void a_bed_that_alone_has_changed(void)
 {
     for (uint32_t bed = 0; bed < 3; bed++) {
@@ -340,18 +349,19 @@ static void a_bed_that_alone_has_changed(void)
         sf_brush put = brush_of(SF_BRUSH_ADD_TRIM, plate, 1);
         sf_brush grow = brush_of(SF_BRUSH_ADD_GROW, ball, 2);
         int32_t z = (int32_t)bed;
-        stroke_both(&t, &put, dab(10, 10, z));
-        stroke_both(&t, &grow, dab(12, 30, 24)); // the bed is looked at
-        CHECK_EQ(twin_differs(&t), 0);
-        for (int k = 0; k < 3; k++) {
-            stroke_both(&t, &put, dab(20 + 12 * k, 50 - 6 * k, z));
-            stroke_both(&t, &grow, dab(26 + 9 * k, 44 - 4 * k, 22));
+        for (int k = 0; k < 4; k++) {
+            const sf_dab high = dab(26 + 6 * k, 44 - 4 * k, 22),
+                         on_bed = dab(20 + 8 * k, 50 - 6 * k, z);
+            look_at_bed(&t, &grow, high);
+            stroke_both(&t, &put, on_bed);
+            stroke_both(&t, &grow, high);
             CHECK_EQ(twin_differs(&t), 0);
-            for (int back = 0; back < 2; back++) { // the second takes the plate away
-                CHECK(sf_sculpt_undo(t.cpu, NULL) == SF_OK && gpu_sculpt_undo(t.gpu) == SF_OK);
-            }
-            stroke_both(&t, &grow, dab(25 + 9 * k, 46 - 4 * k, 23));
+            CHECK(sf_sculpt_undo(t.cpu, NULL) == SF_OK && gpu_sculpt_undo(t.gpu) == SF_OK);
+            look_at_bed(&t, &grow, high);
+            CHECK(sf_sculpt_undo(t.cpu, NULL) == SF_OK && gpu_sculpt_undo(t.gpu) == SF_OK);
+            stroke_both(&t, &grow, high); // the plate is gone
             CHECK_EQ(twin_differs(&t), 0);
+            CHECK(sf_sculpt_undo(t.cpu, NULL) == SF_OK && gpu_sculpt_undo(t.gpu) == SF_OK);
         }
         sf_tip_destroy(plate);
         sf_tip_destroy(ball);
