@@ -350,8 +350,11 @@ static void a_bed_that_alone_has_changed(void)
         sf_brush grow = brush_of(SF_BRUSH_ADD_GROW, ball, 2);
         int32_t z = (int32_t)bed;
         for (int k = 0; k < 4; k++) {
-            const sf_dab high = dab(26 + 6 * k, 44 - 4 * k, 22),
-                         on_bed = dab(20 + 8 * k, 50 - 6 * k, z);
+            // Farther than paths lean: they end on the bare bed, as near to what is there as can
+            // be.
+            static const int32_t places[4][2] = {{6, 7}, {57, 9}, {8, 55}, {56, 58}};
+            const sf_dab high = dab(30 + k, 33 - k, 12);
+            const sf_dab on_bed = dab(places[k][0], places[k][1], z);
             look_at_bed(&t, &grow, high);
             stroke_both(&t, &put, on_bed);
             stroke_both(&t, &grow, high);
