@@ -6,6 +6,7 @@
 #include "twin.h"
 
 #include <epoxy/gl.h>
+#include <math.h>
 
 #include "stage/stage_view.h"
 
@@ -53,14 +54,19 @@ static void add_square(stage *s, stage_kind kind, double z, double half, const u
     CHECK(stage_add(s, kind, v, kind == STAGE_SMOOTH ? normals : NULL, 6));
 }
 
-static void shoot(const stage *s, unsigned char *pixels)
+static void shoot_from(const stage *s, const view_camera *camera, unsigned char *pixels)
 {
     const char *why = NULL;
-    view_camera camera = from_above();
     stage_view *v = stage_view_create(&why);
     CHECK(v != NULL);
-    CHECK(stage_view_shot(v, s, &camera, WIDTH, HEIGHT, pixels));
+    CHECK(stage_view_shot(v, s, camera, WIDTH, HEIGHT, pixels));
     stage_view_destroy(v);
+}
+
+static void shoot(const stage *s, unsigned char *pixels)
+{
+    view_camera camera = from_above();
+    shoot_from(s, &camera, pixels);
 }
 
 // Redder than blue, or bluer than red, by a number.
@@ -133,6 +139,114 @@ static void lines_and_points(void)
     stage_destroy(s);
 }
 
+// Squares with normals of their own: the light falls by these, on either side, and gloss is where a
+// mirror would be.
+static void light_falls_by_normals(void)
+{
+    static unsigned char above[SIZE], below[SIZE];
+    static const uint8_t black[4] = {0, 0, 0, 255};
+    const double first[3] = {-6, 0, 0}, second[3] = {6, 0, 0}, third[3] = {0, 7, 0};
+    const double sun[3] = {0.45, -0.55, 0.9};
+    view_camera camera = from_above(), under = from_above();
+    view_frame f = view_camera_frame(&camera, (double)WIDTH / HEIGHT);
+    under.elevation = -0.7;
+    stage *s = stage_create();
+    CHECK(s != NULL);
+    for (int k = 0; k < 3; k++) {
+        static const float corners[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
+        const double *middle = k == 0 ? first : k == 1 ? second : third;
+        double way[3], away = 0, ray = 0;
+        for (int i = 0; i < 3; i++) {
+            way[i] = middle[i] - f.eye[i];
+            ray += way[i] * way[i];
+            away += sun[i] * sun[i];
+        }
+        stage_vertex v[6];
+        float normals[18];
+        for (int i = 0; i < 6; i++) {
+            for (int d = 0; d < 3; d++) {
+                double half = sun[d] / sqrt(away) - way[d] / sqrt(ray);
+                double side = k == 0   ? (d == 2)
+                              : k == 1 ? (d == 0) + 0.1 * (d == 1) - 0.4 * (d == 2)
+                                       : half;
+                v[i].at_mm[d] = (float)(middle[d] + (d < 2 ? 2 * corners[i][d] : 0));
+                normals[3 * i + d] = (float)(3 * side);
+            }
+            memcpy(v[i].rgba, k == 2 ? black : red, 4);
+        }
+        CHECK(stage_add(s, STAGE_SMOOTH, v, normals, 6));
+    }
+    shoot(s, above);
+    CHECK(pixel_of(above, &camera, first)[0] > pixel_of(above, &camera, second)[0] + 40);
+    CHECK(memcmp(pixel_of(above, &camera, first), red, 3) != 0);
+    CHECK(pixel_of(above, &camera, third)[1] > 18 && pixel_of(above, &camera, third)[1] < 40);
+    shoot_from(s, &under, below);
+    CHECK(pixel_of(below, &under, first)[0] + 40 < pixel_of(above, &camera, first)[0]);
+    stage_destroy(s);
+}
+
+static int is_yellow(const unsigned char *p)
+{
+    return p[0] > 150 && p[1] > 130 && p[2] < 110;
+}
+
+// A line is some pixels wide, lies over the face that it lies on, and is seen up to the eye.
+static void lines_have_a_width(void)
+{
+    static unsigned char pixels[SIZE];
+    const stage_vertex flat[2] = {{{-9, -6, 0}, {255, 230, 0, 255}},
+                                  {{9, -6, 0}, {255, 230, 0, 255}}};
+    view_camera camera = from_above();
+    view_frame f = view_camera_frame(&camera, (double)WIDTH / HEIGHT);
+    stage *s = stage_create();
+    CHECK(s != NULL);
+    add_square(s, STAGE_SOLID, 0, 10, blue);
+    CHECK(stage_add(s, STAGE_LINE, flat, NULL, 2));
+    shoot(s, pixels);
+    const double on[3] = {2, -6, 0};
+    size_t at = (size_t)(pixel_of(pixels, &camera, on) - pixels), row = (size_t)3 * WIDTH;
+    int wide = 0;
+    for (size_t k = 0; k < 13; k++) {
+        wide += is_yellow(pixels + at - 6 * row + k * row);
+    }
+    CHECK(wide >= 1 && wide <= 4);
+    // From a place in the picture to far behind the eye.
+    stage_clear(s);
+    stage_vertex past[2] = {{{0, 0, 0}, {255, 230, 0, 255}}, {{0, 0, 0}, {255, 230, 0, 255}}};
+    const double start[3] = {4, 4, 2};
+    double middle[3];
+    for (int i = 0; i < 3; i++) {
+        double behind = f.eye[i] - 30 * f.forward[i] + 20 * f.up[i];
+        past[0].at_mm[i] = (float)start[i];
+        past[1].at_mm[i] = (float)behind;
+        middle[i] = start[i] + 0.1 * (behind - start[i]);
+    }
+    for (int turned = 0; turned < 2; turned++) {
+        const stage_vertex ends[2] = {past[turned], past[1 - turned]};
+        stage_clear(s);
+        CHECK(stage_add(s, STAGE_LINE_OVER, ends, NULL, 2));
+        shoot(s, pixels);
+        CHECK(is_yellow(pixel_of(pixels, &camera, middle)));
+    }
+    stage_destroy(s);
+}
+
+static void a_point_is_a_disc(void)
+{
+    static unsigned char pixels[SIZE];
+    const stage_point point = {{0, 0, 0}, 20, {0, 200, 0, 255}};
+    const double at[3] = {0, 0, 0};
+    view_camera camera = from_above();
+    stage *s = stage_create();
+    CHECK(s != NULL && stage_add_point(s, &point));
+    shoot(s, pixels);
+    const unsigned char *p = pixel_of(pixels, &camera, at);
+    const unsigned char *corner = p + 3 * 18 + (ptrdiff_t)3 * WIDTH * 18, *inside = p + 3 * 10;
+    CHECK(corner[0] > 180 && corner[1] > 180 && corner[2] > 180);
+    CHECK(inside[1] > 150 && inside[0] < 60);
+    stage_destroy(s);
+}
+
 static void the_picture(void)
 {
     static unsigned char pixels[SIZE];
@@ -146,11 +260,13 @@ static void the_picture(void)
     CHECK(memcmp(row + 3 * (WIDTH - 15 - 66 + 4), two, 3) == 0);
     CHECK(memcmp(row + 3 * (WIDTH - 15 - 4), two + 3, 3) == 0);
     CHECK(row[3 * (WIDTH - 4)] > 150);
+    CHECK(row[3 * (WIDTH - 15)] < 60 && row[3 * (WIDTH - 15 - 66 - 1)] < 60); // its rim
     CHECK(stage_set_picture(s, NULL, 0, 0));
     shoot(s, pixels);
     CHECK(row[3 * (WIDTH - 15 - 4)] > 150 && row[3 * (WIDTH - 15 - 4) + 2] > 150);
     stage_clear(s);
     shoot(s, pixels);
+    CHECK(pixels[0] > pixels[SIZE - 3] + 15); // lighter above
     stage_destroy(s);
 }
 
@@ -163,6 +279,9 @@ int main(void)
     TEST(nearer_before_farther);
     TEST(glass_is_seen_through);
     TEST(lines_and_points);
+    TEST(light_falls_by_normals);
+    TEST(lines_have_a_width);
+    TEST(a_point_is_a_disc);
     TEST(the_picture);
     gl_headless_destroy(context);
     return test_finish();
