@@ -19,10 +19,11 @@ from .balance import (Balance, CarveMode, Carved, Stance, StanceKind, Standing, 
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
-from .grading import (Cage, Limit, Mask, MaskKind, Mixture, Property, Sampler, Slice, Trend,
-                      halftone)
-from .mesh import Fill, Mesh, surface, voxelize
+from .grading import (Cage, Falloff, Limit, Mask, MaskKind, Mixture, PaintOperation, PaintWhere,
+                      Property, Sampler, Slice, Trend, halftone)
+from .mesh import Fill, Mesh, orient, surface, voxelize
 from .sculpting import BrushKind, Sculpt, Tip, TipShape
+from .stacks import Stack, load_stack, save_stack
 from .support import (Checked, Checker, Grown, Landing, Preserved, Repaired, Rule, Trimmed, check,
                       grow, preserve, repair, trim, unsupported)
 from .voxel import Grid, Lattice
@@ -31,11 +32,12 @@ __version__: str = _ffi.string(_lib.sf_version()).decode()
 
 __all__ = [
     "ArgumentError", "Balance", "BrushKind", "Cage", "CancelledError", "CapacityError",
-    "CarveMode", "Carved", "Checked", "Checker", "Error", "FileError", "Fill", "FormatError",
-    "Grid", "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice", "Limit", "Mask",
-    "MaskKind", "Mesh", "Mixture", "OutOfMemoryError", "Preserved", "Property", "Repaired",
-    "Rule", "Sampler", "Sculpt", "ShapeError", "Slice", "Stance", "StanceKind", "StandSolver",
-    "Standing", "Tip", "TipShape", "TooLargeError", "Trend", "Trimmed", "UnsupportedError",
-    "Verdict", "body", "carve", "center_of_mass", "check", "grow", "halftone", "preserve",
-    "repair", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
+    "CarveMode", "Carved", "Checked", "Checker", "Error", "Falloff", "FileError", "Fill",
+    "FormatError", "Grid", "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice",
+    "Limit", "Mask", "MaskKind", "Mesh", "Mixture", "OutOfMemoryError", "PaintOperation",
+    "PaintWhere", "Preserved", "Property", "Repaired", "Rule", "Sampler", "Sculpt",
+    "ShapeError", "Slice", "Stack", "Stance", "StanceKind", "StandSolver", "Standing", "Tip",
+    "TipShape", "TooLargeError", "Trend", "Trimmed", "UnsupportedError", "Verdict", "body",
+    "carve", "center_of_mass", "check", "grow", "halftone", "load_stack", "orient", "preserve",
+    "repair", "save_stack", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
 ]

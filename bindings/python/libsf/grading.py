@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
-from ._types import MaskKind, Property, Trend
+from ._types import Falloff, MaskKind, PaintOperation, PaintWhere, Property, Trend
 from .mesh import Mesh
 from .voxel import Grid, Lattice, _lattice
 
@@ -139,6 +139,25 @@ class Cage:
         channel.property.low, channel.property.high = low, high
         channel.value_count, channel.values = len(values), _core.pointer("double", values)
         ok(lib.sf_cage_add_property(self._c, channel, fault), fault)
+
+    @documented("sf_paint_select", "sf_paint_values")
+    def paint(self, name: str, at_mm: Sequence[float], radius_mm: float, amount: float, *,
+              to_mm: Sequence[float] | None = None, operation: PaintOperation | str = PaintOperation.SET,
+              falloff: Falloff | None = None, where: PaintWhere | None = None,
+              strength: float = 1.0) -> int:
+        """Paint a property with a ball, or what it sweeps on its way to another place. How many
+        values are others now."""
+        operation = PaintOperation[operation.upper()] if isinstance(operation, str) else operation
+        brush = _core.options("sf_paint_brush", from_mm=[float(x) for x in at_mm],
+                              to_mm=[float(x) for x in (at_mm if to_mm is None else to_mm)],
+                              radius_mm=radius_mm, strength=strength,
+                              falloff=None if falloff is None else int(falloff),
+                              where=None if where is None else int(where))
+        weights, changed = np.zeros(self._view.point_count), ffi.new("size_t *")
+        c = _core.pointer("double", weights)
+        ok(lib.sf_paint_select(self._c, brush, c, ffi.NULL))
+        ok(lib.sf_paint_values(self._c, self._channel(name), c, int(operation), amount, ffi.NULL, changed))
+        return int(changed[0])
 
     @documented("sf_cage_check")
     def check(self) -> _types.CageReport:
@@ -374,5 +393,5 @@ def halftone(tones: Any, *, solid: Any = None, layer: int = 0, mask: Mask | None
     return found
 
 
-__all__ = ["Cage", "Limit", "Mask", "MaskKind", "Mixture", "Property", "Sampler", "Slice", "Trend",
+__all__ = ["Cage", "Falloff", "Limit", "Mask", "MaskKind", "Mixture", "PaintOperation", "PaintWhere", "Property", "Sampler", "Slice", "Trend",
            "halftone"]

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
-from ._types import Fill, MeshFormat
+from ._types import Fill, MeshFormat, RuleKind
 from .voxel import Grid, Lattice
 
 
@@ -204,4 +204,19 @@ def surface(grid: Grid, *, smooth_passes: int = 0, progress: Progress = None) ->
     return Mesh._of(made[0])
 
 
-__all__ = ["Fill", "Mesh", "surface", "voxelize"]
+@documented("sf_mesh_orient")
+def orient(mesh: Any, *, rule: RuleKind | None = None, angle_rad: float | None = None,
+           resolution: int | None = None, fine_count: int | None = None, progress: Progress = None,
+           threads: int | None = 1) -> list[_types.Orientation]:
+    """The ways up in which a part prints best, the best one first; `turn` of each brings it there."""
+    mesh = as_mesh(mesh)
+    options = _core.options("sf_orient_options", rule=None if rule is None else int(rule),
+                            angle_rad=angle_rad, resolution=resolution, fine_count=fine_count)
+    room = options.fine_count + 1
+    found, count = ffi.new("sf_orientation[]", room), ffi.new("size_t *")
+    with running(progress, threads) as task:
+        ok(lib.sf_mesh_orient(mesh._view, options, ffi.NULL, task, found, room, count, ffi.NULL))
+    return [_core.value(found[i]) for i in range(count[0])]
+
+
+__all__ = ["Fill", "Mesh", "orient", "surface", "voxelize"]

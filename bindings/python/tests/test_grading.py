@@ -31,6 +31,15 @@ class Cages(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "tone"):
             cage.values("stiffness")
 
+    def test_painted(self):
+        cage = graded()
+        changed = cage.paint("tone", (0, 0, 0), 1.5, 1, falloff=libsf.Falloff.CONSTANT)
+        near = np.linalg.norm(cage.points, axis=1) <= 1.5
+        self.assertEqual(changed, near.sum())
+        self.assertTrue((cage.values("tone")[near] == 1).all())
+        self.assertEqual(cage.paint("tone", (0, 0, 0), 1.5, -0.25, operation="add", falloff=libsf.Falloff.CONSTANT), changed)
+        self.assertTrue((cage.values("tone")[near] == 0.75).all())
+
     def test_of_arrays(self):
         points = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
         cage = libsf.Cage(points, [[0, 1, 3, 2, 4, 5, 7, 6]], properties={"heat": np.arange(8.0)})

@@ -89,6 +89,33 @@ class Meshes(unittest.TestCase):
             self.assertEqual(caught.exception.line, 2)
 
 
+class Ways(unittest.TestCase):
+    def test_a_part_is_put_on_its_best_side(self):
+        funnel = CORNERS * (10, 10, 10)  # wide above, so that it hangs over
+        funnel[4:, :2] = (funnel[4:, :2] - 5) * 4 + 5
+        mesh = libsf.Mesh(funnel, FACES)
+        best = libsf.orient(mesh, resolution=48)[0]
+        self.assertLess(best.trimmed_mm3, 1e-6 + libsf.orient(mesh, resolution=48)[-1].trimmed_mm3)
+        turned = mesh.transformed(np.column_stack([np.reshape(best.turn.matrix, (3, 3)), best.turn.shift_mm]))
+        self.assertAlmostEqual(turned.bounds()[0][2], 0)
+        self.assertLess(best.up[2], 0)  # upside down
+
+    def test_stacks(self):
+        grid = libsf.voxelize(box(4, 3, 2), libsf.Lattice(12, 10, 8, (0.5, 0.4), 0.3, (-1, 0, 0)))
+        rule = libsf.Rule.named("octagon", 40)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "stack")
+            try:
+                libsf.save_stack(grid, path, rule=rule, bed_layer=0)
+                again = libsf.load_stack(path)
+            except libsf.UnsupportedError as error:
+                self.skipTest(str(error))
+            self.assertEqual((again.grid, again.rule, again.bed_layer), (grid, rule, 0))
+            self.assertEqual(again.grid.lattice, grid.lattice)
+            with self.assertRaises(libsf.Error):
+                libsf.load_stack(folder)
+
+
 class Lattices(unittest.TestCase):
     def test_heights(self):
         lattice = libsf.Lattice(2, 2, 3, 1, (0.1, 0.2, 0.3))
