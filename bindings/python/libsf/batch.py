@@ -126,7 +126,7 @@ def _on_cluster(client: Any, paths: list[str], given: tuple[Any, ...]) -> Iterat
     from dask.distributed import as_completed
 
     asked = {client.submit(one, p, *given, retries=0, pure=False): p for p in paths}
-    for future in as_completed(list(asked)):
+    for future in as_completed(list(asked)):  # type: ignore[no-untyped-call, unused-ignore]
         error = future.exception()
         yield future.result() if error is None else _failed(asked[future], given, error)
 
