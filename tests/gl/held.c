@@ -219,6 +219,26 @@ static void a_box_is_that_of_one_change(void)
     twin_free(&t);
 }
 
+// What stands beside a change and is as it was is no part of it.
+static void a_box_without_its_neighbours(void)
+{
+    sf_sculpt_options o = twin_options(32, 40, 20);
+    twin t = twin_new(&o);
+    sf_tip *pillar = box_tip(1, 1, 9), *dot = box_tip(0, 0, 0);
+    const sf_brush raise = brush_of(SF_BRUSH_ADD_TRIM, pillar, 1);
+    const sf_brush add = brush_of(SF_BRUSH_ADD_TRIM, dot, 1);
+    const sf_brush take = brush_of(SF_BRUSH_REMOVE_TRIM, dot, 1);
+    stroke_both(&t, &raise, dab(10, 10, 9));
+    stroke_both(&t, &add, dab(13, 10, 0));
+    check_box(&t, 10, 0, 11, 1);
+    stroke_both(&t, &take, dab(13, 10, 0));
+    check_box(&t, 10, 0, 11, 1);
+    CHECK_EQ(twin_differs(&t), 0);
+    sf_tip_destroy(pillar);
+    sf_tip_destroy(dot);
+    twin_free(&t);
+}
+
 // ---------------------------------------------------------------------------------------------
 // Shapes
 // ---------------------------------------------------------------------------------------------
@@ -382,6 +402,7 @@ int main(void)
     TEST(a_step_that_is_too_large_empties_it);
     TEST(no_more_steps_than_places);
     TEST(a_box_is_that_of_one_change);
+    TEST(a_box_without_its_neighbours);
     TEST(a_fall_up_to_the_top);
     TEST(votes_of_many_materials);
     TEST(paths_along_the_border);
