@@ -5,6 +5,7 @@
 #
 # usage: api.py SOURCE [NM SHARED-LIBRARY...]; speaks TAP.
 
+import glob
 import os
 import re
 import shutil
@@ -134,6 +135,35 @@ def are_called(api):
     return bad
 
 
+def bound_in_python():
+    """Functions that the Python package calls, and defaults of options that it takes."""
+    code = "".join(read(path) for path in glob.glob(os.path.join(SOURCE, "bindings", "python", "libsf", "*.py")))
+    options = re.findall(r'options\(\s*"(sf_\w+)"', code)
+    return set(re.findall(r"\b_?lib\.(sf_\w+)", code)) | {name + "_default" for name in options}
+
+
+BINDINGS = {"python": bound_in_python}
+
+
+def are_bound(api):
+    """Every function is bound in each language, or unbound.txt says why it is not"""
+    names, bad = {f["name"] for f in api["functions"]}, []
+    listed = {language: {} for language in BINDINGS}
+    for line in read(os.path.join(API, "unbound.txt")).splitlines():
+        if line and not line.startswith("#"):
+            what, _, reason = line.partition(":")
+            language, name = what.split()
+            if language in listed:
+                listed[language][name] = reason.strip()
+    for language, find in BINDINGS.items():
+        bound, excused = find(), listed[language]
+        bad += [f"{language} does not bind {n}" for n in sorted(names - bound - excused.keys())]
+        bad += [f"unbound.txt names {n}, which is no function" for n in excused.keys() - names]
+        bad += [f"unbound.txt names {n}, which {language} binds" for n in excused.keys() & bound]
+        bad += [f"unbound.txt gives no reason for {n}" for n, reason in excused.items() if not reason]
+    return bad
+
+
 def spoil(tree, header, before, after):
     """Headers of a project in which one of them is another; whether that is found in it."""
     path = os.path.join(tree, "libsf", "include", "sf", header + ".h")
@@ -170,7 +200,7 @@ def main():
     api = model.build(SOURCE)
     checks = [(is_current.__doc__, is_current()), (is_whole.__doc__, is_whole(api)),
               (formats_are_kept.__doc__, formats_are_kept(api)), (are_called.__doc__, are_called(api)),
-              (rules_bite.__doc__, rules_bite())]
+              (are_bound.__doc__, are_bound(api)), (rules_bite.__doc__, rules_bite())]
     checks += [(rule.__doc__, rule(api)) for rule in rules.RULES]
     for number, (what, bad) in enumerate(checks, 1):
         if isinstance(bad, str):

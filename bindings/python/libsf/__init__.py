@@ -14,30 +14,56 @@ from __future__ import annotations
 
 from ._core import ffi as _ffi
 from ._core import lib as _lib
-from .balance import (Balance, CarveMode, Carved, Stance, StanceKind, Standing, StandSolver, Verdict,
-                      body, carve, center_of_mass, stand, wall)
+from .balance import (Balance, Stance, StanceKind, Verdict, add_bodies, ballast_body, body,
+                      center_of_mass, rest)
+from .bending import (Blend, Change, Handle, HandleKind, Pose, Unbent, Weights, WeightsMethod,
+                      cover, foot, handle_center, place_handles)
+from .cages import (Cage, CageFormat, CageHistory, Falloff, PaintOperation, PaintWhere, Property,
+                    known_property)
+from .carving import (CarveGoal, CarveMode, Carved, Drained, carve, clearance, density, drain,
+                      wall, wall_inside)
+from .certificates import Certificate, Operation, sha256
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
-from .grading import (Cage, Falloff, Limit, Mask, MaskKind, Mixture, PaintOperation, PaintWhere,
-                      Property, Sampler, Slice, Trend, halftone)
-from .mesh import Fill, Mesh, orient, surface, voxelize
-from .sculpting import BrushKind, Sculpt, Tip, TipShape
-from .stacks import Stack, load_stack, save_stack
+from .halftoning import Diffuser, Mask, MaskKind, Shell, halftone, material_uses
+from .layers import Border, Components, Connectivity, Element, Isa, Layer, limit_isa
+from .limits import Limit, Locator, NO_PIECE, Sampler, Slice
+from .mesh import Fill, Mesh, MeshFormat, Voxelizer, orient, surface, voxelize
+from .mixing import Curve, Mixture, Trend
+from .paths import Emitted, Path, PathCost, PathEnd, PathFinder, PathMap, emit
+from .places import Costs, Printing, Voids, complete, costs, culprits, printing, steepest, voids
+from .refining import Channel, RefineRules, Refinement, Step, Tets
+from .sculpting import BrushKind, Sculpt, Tip, TipShape, brush_name
+from .sessions import Session, SessionStep, Stroke
+from .stacks import (Material, Stack, load_stack, save_materials, save_picture, save_stack,
+                     stacks_are_png)
+from .standing import Stand, StandSolver, Standing, stand
 from .support import (Checked, Checker, Grown, Landing, Preserved, Repaired, Rule, Trimmed, check,
-                      grow, preserve, repair, trim, unsupported)
+                      grow, preserve, repair, trim, unsupported, update_trim)
 from .voxel import Grid, Lattice
 
 __version__: str = _ffi.string(_lib.sf_version()).decode()
 
 __all__ = [
-    "ArgumentError", "Balance", "BrushKind", "Cage", "CancelledError", "CapacityError",
-    "CarveMode", "Carved", "Checked", "Checker", "Error", "Falloff", "FileError", "Fill",
-    "FormatError", "Grid", "Grown", "InfeasibleError", "InternalError", "Landing", "Lattice",
-    "Limit", "Mask", "MaskKind", "Mesh", "Mixture", "OutOfMemoryError", "PaintOperation",
-    "PaintWhere", "Preserved", "Property", "Repaired", "Rule", "Sampler", "Sculpt",
-    "ShapeError", "Slice", "Stack", "Stance", "StanceKind", "StandSolver", "Standing", "Tip",
-    "TipShape", "TooLargeError", "Trend", "Trimmed", "UnsupportedError", "Verdict", "body",
-    "carve", "center_of_mass", "check", "grow", "halftone", "load_stack", "orient", "preserve",
-    "repair", "save_stack", "stand", "surface", "trim", "unsupported", "voxelize", "wall",
+    "ArgumentError", "Balance", "Blend", "Border", "BrushKind", "Cage", "CageFormat",
+    "CageHistory", "CancelledError", "CapacityError", "CarveGoal", "CarveMode", "Carved",
+    "Certificate", "Change", "Channel", "Checked", "Checker", "Components", "Connectivity",
+    "Costs", "Curve", "Diffuser", "Drained", "Element", "Emitted", "Error", "Falloff",
+    "FileError", "Fill", "FormatError", "Grid", "Grown", "Handle", "HandleKind",
+    "InfeasibleError", "InternalError", "Isa", "Landing", "Lattice", "Layer", "Limit",
+    "Locator", "Mask", "MaskKind", "Material", "Mesh", "MeshFormat", "Mixture", "NO_PIECE",
+    "Operation", "OutOfMemoryError", "PaintOperation", "PaintWhere", "Path", "PathCost",
+    "PathEnd", "PathFinder", "PathMap", "Pose", "Preserved", "Printing", "Property",
+    "RefineRules", "Refinement", "Repaired", "Rule", "Sampler", "Sculpt", "Session",
+    "SessionStep", "ShapeError", "Shell", "Slice", "Stack", "Stance", "StanceKind", "Stand",
+    "StandSolver", "Standing", "Step", "Stroke", "Tets", "Tip", "TipShape", "TooLargeError",
+    "Trend", "Trimmed", "Unbent", "UnsupportedError", "Verdict", "Voids", "Voxelizer",
+    "Weights", "WeightsMethod", "add_bodies", "ballast_body", "body", "brush_name", "carve",
+    "center_of_mass", "check", "clearance", "complete", "costs", "cover", "culprits", "density",
+    "drain", "emit", "foot", "grow", "halftone", "handle_center", "known_property", "limit_isa",
+    "load_stack", "material_uses", "orient", "place_handles", "preserve", "printing", "repair",
+    "rest", "save_materials", "save_picture", "save_stack", "sha256", "stacks_are_png", "stand",
+    "steepest", "surface", "trim", "unsupported", "update_trim", "voids", "voxelize", "wall",
+    "wall_inside",
 ]

@@ -290,8 +290,8 @@ def _converter(kind: Any) -> Callable[[Any], Any] | None:
 class Values(Sequence[T]):
     """An array of the library's structs, each made a dataclass when it is asked for."""
 
-    def __init__(self, c: Any, count: int) -> None:
-        self._c, self._count = c, count
+    def __init__(self, c: Any, count: int, owner: Any = None) -> None:
+        self._c, self._count, self._owner = c, count, owner
 
     def __len__(self) -> int:
         return self._count

@@ -1,4 +1,4 @@
-"""Whether a shape stands or hangs, how to make it, and derivatives for optimisers of one's own."""
+"""Whether a shape stands or hangs, and derivatives for optimisers of one's own."""
 
 from __future__ import annotations
 
@@ -10,11 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _types
-from ._core import Progress, documented, ffi, lib, ok, running
-from ._types import CarveMode, StanceKind, StandSolver
+from ._core import documented, ffi, lib, ok
+from ._types import StanceKind
 from .mesh import Mesh, as_mesh
-from .support import AnyRule, Rule, _terms
-from .voxel import Grid, Lattice
+from .voxel import Grid
 
 Vectors = npt.NDArray[np.float64]
 FAR = 1e12
@@ -23,19 +22,54 @@ FAR = 1e12
 # --- Bodies -------------------------------------------------------------------------------------
 
 
-@documented("sf_mesh_body")
-def body(mesh: Any, density: float = 1.0) -> _types.Body:
-    """The mass and first moments of the solid that a closed mesh bounds."""
-    mesh = as_mesh(mesh)
+@documented("sf_mesh_body", "sf_grid_body")
+def body(shape: Any, density: Any = 1.0) -> _types.Body:
+    """The mass and first moments of the solid that a closed mesh bounds, or of a grid's voxels.
+
+    `density` is a number; of a grid also a float32 array in (layer, y, x) order.
+    """
     found = ffi.new("sf_body *")
-    ok(lib.sf_mesh_body(mesh._view, density, found))
+    if isinstance(shape, Grid):
+        if isinstance(density, np.ndarray):
+            weights = _core.array_in(density, np.float32, shape.shape, "density")
+            ok(lib.sf_grid_body(shape._c, _core.pointer("float", weights), ffi.NULL, found))
+            return _core.value(found)  # type: ignore[no-any-return]
+        ok(lib.sf_grid_body(shape._c, ffi.NULL, ffi.NULL, found))
+        scaled = lib.sf_body_add({"mass": 0, "moment": [0, 0, 0]}, float(density), found[0])
+        return _core.value(scaled)  # type: ignore[no-any-return]
+    ok(lib.sf_mesh_body(as_mesh(shape)._view, density, found))
     return _core.value(found)  # type: ignore[no-any-return]
 
 
-def center_of_mass(mesh: Any) -> Vectors:
-    """The centre of mass of the solid that a closed mesh bounds, mm."""
-    b = body(mesh)
-    return np.asarray(b.moment) / b.mass
+def c_body(body: _types.Body) -> Any:
+    """A body as the library has it."""
+    return {"mass": body.mass, "moment": list(body.moment)}
+
+
+@documented("sf_body_add")
+def add_bodies(a: _types.Body, b: _types.Body, factor: float = 1.0) -> _types.Body:
+    """a + factor * b: with -1 the one less the other."""
+    return _core.value(lib.sf_body_add(c_body(a), factor, c_body(b)))  # type: ignore[no-any-return]
+
+
+def c_ballast(ballast: Any) -> tuple[Any, int]:
+    """Masses in points as the library has them."""
+    masses = [(float(m), [float(x) for x in at]) for m, at in ballast]
+    return ffi.new("sf_ballast[]", [{"mass": m, "at_mm": at} for m, at in masses] or 1), len(masses)
+
+
+@documented("sf_ballast_body")
+def ballast_body(ballast: Sequence[tuple[float, Sequence[float]]]) -> _types.Body:
+    """The body of masses in points: pairs of a mass and a place in mm."""
+    return _core.value(lib.sf_ballast_body(*c_ballast(ballast)))  # type: ignore[no-any-return]
+
+
+@documented("sf_body_com")
+def center_of_mass(shape: Any) -> Vectors:
+    """The centre of mass of a body, of a grid, or of the solid that a closed mesh bounds, mm."""
+    b, found = shape if isinstance(shape, _types.Body) else body(shape), ffi.new("double[3]")
+    ok(lib.sf_body_com(c_body(b), found))
+    return np.array(list(found))
 
 
 class Balance:
@@ -111,6 +145,8 @@ class Verdict:
 class Stance:
     """What a mesh stands on or hangs from, and where its centre of mass may lie for that."""
 
+    _c: Any
+
     @documented("sf_stance_create")
     def __init__(self, mesh: Any, kind: StanceKind | str = StanceKind.STAND, *,
                  up: Sequence[float] = (0, 0, 1), gamma_rad: float | None = None,
@@ -120,16 +156,25 @@ class Stance:
         mesh, fault = as_mesh(mesh), _core.new_fault()
         made = ffi.new("sf_stance **")
         kind = StanceKind[kind.upper()] if isinstance(kind, str) else kind
-        self._options = _core.options(
+        options = _core.options(
             "sf_stance_options", kind=int(kind), up=[float(x) for x in up], gamma_rad=gamma_rad,
             tolerance_rad=tolerance_rad, range_rad=range_rad, contact_mm=contact_mm,
             point_mm=None if point_mm is None else [float(x) for x in point_mm], lever_mm=lever_mm)
         if region_mm is not None:
             low, high = region_mm
-            self._options.region_low_mm = [max(float(x), -FAR) for x in low]
-            self._options.region_high_mm = [min(float(x), FAR) for x in high]
-        ok(lib.sf_stance_create(mesh._view, self._options, ffi.NULL, made, fault), fault)
+            options.region_low_mm = [max(float(x), -FAR) for x in low]
+            options.region_high_mm = [min(float(x), FAR) for x in high]
+        ok(lib.sf_stance_create(mesh._view, options, ffi.NULL, made, fault), fault)
         self._c = ffi.gc(made[0], lib.sf_stance_destroy)
+
+    @classmethod
+    def _like(cls, c: Any, mesh: Any) -> Stance:
+        """A stance of a mesh with the options of one of the library's."""
+        stance, made, fault = cls.__new__(cls), ffi.new("sf_stance **"), _core.new_fault()
+        options = ffi.new("sf_stance_options *", lib.sf_stance_get_options(c))
+        ok(lib.sf_stance_create(mesh, options, ffi.NULL, made, fault), fault)
+        stance._c = ffi.gc(made[0], lib.sf_stance_destroy)
+        return stance
 
     @property
     def up(self) -> tuple[float, ...]:
@@ -176,137 +221,24 @@ class Stance:
         return Verdict(v.margin_rad, v.slack_mm, (tuple(v.edge_mm[0]), tuple(v.edge_mm[1])),
                        bool(v.stands), bool(v.safe))
 
-
-# --- Carving ------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Carved:
-    grid: Grid
-    report: _types.CarveReport
+    @documented("sf_stance_flatten")
+    def flattened(self, vertices: Any) -> Vectors:
+        """A copy of the mesh's vertices, (n, 3), with every contact put onto the ground."""
+        moved = np.array(_core.array_in(vertices, np.float64, (None, 3), "vertices"))
+        ok(lib.sf_stance_flatten(self._c, _core.pointer("double", moved), len(moved)))
+        return moved
 
 
-@documented("sf_grid_wall")
-def wall(grid: Grid, mesh: Any, wall_mm: float, *, progress: Progress = None,
-         threads: int | None = 1) -> Grid:
-    """The voxels of a solid that are nearer to its surface than a wall may be thick."""
-    mesh, found = as_mesh(mesh), Grid(grid.lattice)
-    with running(progress, threads) as task:
-        ok(lib.sf_grid_wall(grid._c, mesh._view, wall_mm, ffi.NULL, task, found._c))
-    return found
+@documented("sf_mesh_rest")
+def rest(mesh: Any, com_mm: Any, ups: Any) -> list[_types.Rest]:
+    """How a body comes to rest that is let go on level ground, for each `up` of (n, 3) starts."""
+    mesh, fault = as_mesh(mesh), _core.new_fault()
+    starts = _core.array_in(ups, np.float64, (None, 3), "ups")
+    found = ffi.new("sf_rest[]", max(len(starts), 1))
+    ok(lib.sf_mesh_rest(mesh._view, _core.numbers(com_mm, 3, "com_mm"), _core.pointer("double", starts),
+                        len(starts), ffi.NULL, found, fault), fault)
+    return [_core.value(found[i]) for i in range(len(starts))]
 
 
-@documented("sf_grid_carve")
-def carve(grid: Grid, walls: Grid, stances: Sequence[Stance] = (), rule: AnyRule = "box3", *,
-          bed_layer: int | None = None, mode: CarveMode | None = None, density: Any = None,
-          strut_width_vx: int | None = None, progress: Progress = None,
-          threads: int | None = 1) -> Carved:
-    """The solid with a cavity: as large as can be, or as the stances need it.
-
-    `density` is a float32 array in (layer, y, x) order: what 1 mm3 of each voxel weighs.
-    """
-    result, report = Grid(grid.lattice), ffi.new("sf_carve_report *")
-    terms = _terms(grid, rule, bed_layer)
-    weights = None if density is None else _core.array_in(density, np.float32, grid.shape, "density")
-    c = ffi.new("sf_stance *[]", [s._c for s in stances] or [ffi.NULL])
-    options = _core.options("sf_carve_options", mode=None if mode is None else int(mode),
-                            strut_width_vx=strut_width_vx)
-    options.density = _core.pointer("float", weights)
-    options.stances = ffi.cast("sf_stance *const *", c)
-    options.stance_count = len(stances)
-    with running(progress, threads) as task:
-        ok(lib.sf_grid_carve(grid._c, walls._c, terms.c, options, ffi.NULL, task, result._c, report))
-    return Carved(result, _core.value(report))
-
-
-# --- Standing -----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Standing:
-    """A shape that was made to stand: its outside, its cavity (None where it is solid), voxels."""
-
-    outer: Mesh
-    cavity: Mesh | None
-    grid: Grid
-    report: _types.StandReport
-
-    @property
-    def succeeded(self) -> bool:
-        return bool(self.report.succeeded)
-
-
-def _stance_options(given: Any) -> dict[str, Any]:
-    known = {"kind", "up", "gamma_rad", "tolerance_rad", "range_rad", "contact_mm", "point_mm",
-             "lever_mm"}
-    if not isinstance(given, dict) or set(given) - known:
-        raise TypeError(f"stances: give dicts of {', '.join(sorted(known))}")
-    kind = given.get("kind", StanceKind.STAND)
-    return {**given, "kind": int(StanceKind[kind.upper()] if isinstance(kind, str) else kind)}
-
-
-def _place_handles(mesh: Mesh, pitch_mm: float, count: int) -> list[Any]:
-    low, high = mesh.bounds()
-    grid = Grid(Lattice.around(low, high, pitch_mm))
-    ok(lib.sf_grid_voxelize(grid._c, mesh._view, ffi.NULL, ffi.NULL, ffi.NULL, ffi.NULL))
-    foot, found, n = ffi.new("sf_grid **"), ffi.new("sf_handle[]", count), ffi.new("size_t *")
-    ok(lib.sf_grid_foot(grid._c, [0.0, 0.0, 1.0], 0, ffi.NULL, foot))
-    base = Grid._of(foot[0])
-    options, fault = _core.options("sf_place_options", count=count), _core.new_fault()
-    options.base = base._c
-    ok(lib.sf_handles_place(grid._c, options, ffi.NULL, ffi.NULL, found, count, n, fault), fault)
-    return [tuple(found[i].at_mm) for i in range(n[0])]
-
-
-@documented("sf_stand_create", "sf_stand_run")
-def stand(mesh: Any, stances: Sequence[dict[str, Any]] = ({},), *, handles: Any = 5,
-          resolution: int = 64, wall_mm: float | None = None, carve: bool = True,
-          deform: bool = True, carve_mode: CarveMode | None = None, rule: AnyRule = "octagon",
-          solver: StandSolver | None = None, rounds_max: int | None = None,
-          progress: Progress = None, threads: int | None = 1) -> Standing:
-    """Make a shape stand or hang: carve its inside, and bend its outside as little as will do.
-
-    `stances` are dicts with what Stance takes; each bends on feet that are put flat. `handles` are
-    places (n, 3) in mm, or how many find theirs by themselves.
-    """
-    mesh = as_mesh(mesh)
-    rule = Rule.named(rule) if isinstance(rule, str) else rule
-    low, high = mesh.bounds()
-    size = float((high - low).max())
-    pitch = size / resolution
-    asked = ffi.new("sf_stance_options[]", len(stances))
-    for i, given in enumerate(stances):
-        filled = {"contact_mm": 0.01 * float(high[2] - low[2]) if deform else None,
-                  **_stance_options(given)}
-        asked[i] = _core.options("sf_stance_options", **filled)[0]
-    places = [] if not deform else _place_handles(mesh, pitch, handles) if isinstance(handles, int) \
-        else [tuple(map(float, p)) for p in handles]
-    c_handles = ffi.new("sf_handle[]", max(len(places), 1))
-    for i, at in enumerate(places):
-        c_handles[i].at_mm = at
-    options = _core.options(
-        "sf_stand_options", pitch_mm=pitch, wall_mm=wall_mm, carve=int(carve), deform=int(deform),
-        carve_mode=None if carve_mode is None else int(carve_mode), rule=int(rule.kind),
-        angle_rad=rule.angle_rad, solver=None if solver is None else int(solver),
-        rounds_max=rounds_max)
-    made, fault, report = ffi.new("sf_stand **"), _core.new_fault(), ffi.new("sf_stand_report *")
-    with running(None, threads) as task:
-        count = len(places)
-        while True:
-            status = lib.sf_stand_create(mesh._view, asked, len(stances), c_handles, count, options,
-                                         ffi.NULL, task, made, fault)
-            if status != int(_types.Status.ERR_INFEASIBLE) or not isinstance(handles, int) or count == 0:
-                break
-            count -= 1  # the last ones, which lie worst, may be too close to what holds still
-        ok(status, fault)
-    c = ffi.gc(made[0], lib.sf_stand_destroy)
-    with running(progress, threads) as task:
-        ok(lib.sf_stand_run(c, task, report))
-    cavity = lib.sf_stand_cavity(c)
-    return Standing(Mesh._copied(lib.sf_stand_outer(c)),
-                    Mesh._copied(cavity) if cavity.triangle_count > 0 else None,
-                    Grid._borrowed(lib.sf_stand_grid(c), c), _core.value(report))
-
-
-__all__ = ["Balance", "CarveMode", "Carved", "Stance", "StanceKind", "Standing", "StandSolver",
-           "Verdict", "body", "carve", "center_of_mass", "stand", "wall"]
+__all__ = ["Balance", "Stance", "StanceKind", "Verdict", "add_bodies", "ballast_body", "body",
+           "center_of_mass", "rest"]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import Any, Iterator
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, _types
+from . import _core, _files, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Fill, MeshFormat, RuleKind
-from .voxel import Grid, Lattice
+from .layers import Layer
+from .voxel import Grid, Lattice, _lattice
 
 
 class Mesh:
@@ -108,32 +109,40 @@ class Mesh:
 
     @documented("sf_mesh_read")
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Mesh:
-        """Read STL, OBJ, PLY or OFF, by the file's content and name."""
-        name, fault = os.fsencode(path), _core.new_fault()
-        file, made = ffi.new("sf_file **"), ffi.new("sf_mesh **")
-        ok(lib.sf_file_open(name, ffi.NULL, file, fault), fault)
-        try:
-            ok(lib.sf_mesh_read(lib.sf_file_source(file[0]), lib.sf_mesh_format_from_name(name),
-                                ffi.NULL, ffi.NULL, made, fault), fault)
-        finally:
-            lib.sf_file_close(file[0])
+    def load(cls, of: _files.Readable, *, format: MeshFormat | str | None = None,
+             bytes_max: int | None = None, triangles_max: int | None = None,
+             vertices_max: int | None = None) -> Mesh:
+        """Read STL, OBJ, PLY or OFF, by content and name: a path, bytes, or a file that is open."""
+        limits = _core.options("sf_read_limits", bytes_max=bytes_max, triangles_max=triangles_max,
+                               vertices_max=vertices_max)
+        fault, made = _core.new_fault(), ffi.new("sf_mesh **")
+        kind = _format_of(of, format)
+        with _files.source(of) as source:
+            ok(lib.sf_mesh_read(source, int(kind), limits, ffi.NULL, made, fault), fault)
         return cls._of(made[0])
 
     @documented("sf_mesh_write")
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write STL, OBJ or PLY, by the ending of the name; whole or not at all."""
-        name, fault = os.fsencode(path), _core.new_fault()
-        kind = lib.sf_mesh_format_from_name(name)
+    def save(self, to: _files.Writable, format: MeshFormat | str | None = None) -> None:
+        """Write STL, OBJ or PLY: by the ending of a path, or in a format that is named."""
+        kind = _format_of(to, format)
         if kind in (MeshFormat.AUTO, MeshFormat.OFF):
-            raise ValueError(f"{os.fspath(path)}: give a name that ends in .stl, .obj or .ply")
-        save = ffi.new("sf_save **")
-        ok(lib.sf_save_begin(name, ffi.NULL, save, fault), fault)
-        status = lib.sf_mesh_write(self._view, kind, lib.sf_save_sink(save[0]))
-        if status != 0:
-            lib.sf_save_abort(save[0])
-            ok(status)
-        ok(lib.sf_save_commit(save[0], fault), fault)
+            raise ValueError(f"{to}: give a name that ends in .stl, .obj or .ply, or a format")
+        with _files.sink(to) as sink:
+            ok(lib.sf_mesh_write(self._view, int(kind), sink))
+
+    @documented("sf_mesh_merge")
+    def merged(self) -> Mesh:
+        """A copy in which vertices of equal position are one."""
+        made = ffi.new("sf_mesh **")
+        ok(lib.sf_mesh_merge(self._view, ffi.NULL, made))
+        return Mesh._of(made[0])
+
+    @documented("sf_mesh_cut")
+    def cut(self, axis: int, at_mm: float) -> tuple[Mesh, Mesh]:
+        """Two closed halves, the lower one first, on both sides of a plane across an axis."""
+        low, high, fault = ffi.new("sf_mesh **"), ffi.new("sf_mesh **"), _core.new_fault()
+        ok(lib.sf_mesh_cut(self._view, axis, at_mm, ffi.NULL, low, high, fault), fault)
+        return Mesh._of(low[0]), Mesh._of(high[0])
 
     def to_trimesh(self) -> Any:
         """The same as a trimesh.Trimesh."""
@@ -150,6 +159,13 @@ class Mesh:
     def __repr__(self) -> str:
         v = self._view
         return f"<libsf.Mesh {v.vertex_count} vertices, {v.triangle_count} faces>"
+
+
+def _format_of(file: Any, format: MeshFormat | str | None) -> MeshFormat:
+    """The format that is named, or that a path's ending names."""
+    if format is not None:
+        return MeshFormat[format.upper()] if isinstance(format, str) else format
+    return MeshFormat(lib.sf_mesh_format_from_name(os.fsencode(file) if _files.is_path(file) else b""))
 
 
 def _plain(array: Any, dtype: npt.DTypeLike) -> Any:
@@ -194,6 +210,40 @@ def voxelize(mesh: Any, lattice: Lattice | None = None, *, pitch_mm: float | Non
     return grid
 
 
+class Voxelizer:
+    """The slices of a mesh on a lattice, any one by its number; for shapes that no memory holds."""
+
+    @documented("sf_voxelizer_create")
+    def __init__(self, mesh: Any, lattice: Lattice, *, fill: Fill | None = None) -> None:
+        self._mesh, fault = as_mesh(mesh), _core.new_fault()
+        made, options = ffi.new("sf_voxelizer **"), _core.options("sf_voxelize_options", fill=fill)
+        with _lattice(lattice) as c:
+            ok(lib.sf_voxelizer_create(self._mesh._view, c, options, ffi.NULL, made, fault), fault)
+        self._c, self._lattice = ffi.gc(made[0], lib.sf_voxelizer_destroy), lattice
+
+    def __len__(self) -> int:
+        return self._lattice.nz
+
+    @documented("sf_voxelizer_slice")
+    def __getitem__(self, k: int) -> Layer:
+        """Slice k; a new one each time."""
+        if not -len(self) <= k < len(self):
+            raise IndexError(f"slice {k} of {len(self)}")
+        layer = Layer(self._lattice.nx, self._lattice.ny)
+        ok(lib.sf_voxelizer_slice(self._c, k % len(self), layer._c))
+        return layer
+
+    def __iter__(self) -> Iterator[Layer]:
+        return (self[k] for k in range(len(self)))
+
+    @documented("sf_voxelizer_report")
+    def report(self) -> _types.VoxelizeReport:
+        """What was found so far, over all slices that were asked for."""
+        found = ffi.new("sf_voxelize_report *")
+        ok(lib.sf_voxelizer_report(self._c, found))
+        return _core.value(found)  # type: ignore[no-any-return]
+
+
 @documented("sf_grid_surface")
 def surface(grid: Grid, *, smooth_passes: int = 0, progress: Progress = None) -> Mesh:
     """The boundary of the solid voxels, closed, as it is or smoothed."""
@@ -219,4 +269,4 @@ def orient(mesh: Any, *, rule: RuleKind | None = None, angle_rad: float | None =
     return [_core.value(found[i]) for i in range(count[0])]
 
 
-__all__ = ["Fill", "Mesh", "orient", "surface", "voxelize"]
+__all__ = ["Fill", "Mesh", "MeshFormat", "Voxelizer", "orient", "surface", "voxelize"]

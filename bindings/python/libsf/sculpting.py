@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import os
-from typing import Any, Sequence
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, _types
+from . import _core, _files, _types
 from ._core import documented, ffi, lib, ok
 from ._types import BrushKind, TipShape
 from .mesh import as_mesh
 from .support import AnyRule, _rule
-from .voxel import Grid, Lattice, _lattice
+from .voxel import Grid, Lattice, _lattice, lattice_of
 
 Triple = Sequence[float]
 
@@ -54,6 +54,13 @@ class Tip:
         ok(lib.sf_tip_create_stamp(_core.pointer("uint8_t", image), image.shape[1], image.shape[1],
                                    image.shape[0], depth_vx, ffi.NULL, made))
         return cls(made[0])
+
+    @documented("sf_tip_mask")
+    def mask(self) -> tuple[Grid, tuple[int, int, int]]:
+        """The voxels that it covers, as a copy, and the anchor's place (x, y, layer) among them."""
+        anchor = ffi.new("sf_dab *")
+        grid = Grid._borrowed(lib.sf_tip_mask(self._c, anchor), self)
+        return grid, (anchor.x, anchor.y, anchor.z)
 
     @classmethod
     def mesh(cls, mesh: Any, lattice: Lattice) -> Tip:
@@ -109,14 +116,42 @@ class Sculpt:
     def stroke(self, kind: BrushKind | str, tip: Tip, dabs: Any, *, material: int = 1,
                passes: int = 1, mirror_x: bool = False, mirror_y: bool = False) -> _types.SculptChange:
         """A stroke: a brush put down at voxels (x, y, z), all at once."""
-        kind = BrushKind[kind.replace("-", "_").upper()] if isinstance(kind, str) else kind
-        brush = _core.options("sf_brush", kind=int(kind), material=material, passes=passes,
-                              mirror_x=int(mirror_x), mirror_y=int(mirror_y))
-        brush.tip = tip._c
-        places = np.ascontiguousarray(dabs, np.int32).reshape(-1, 3)
+        brush = c_brush(kind, tip, material, passes, mirror_x, mirror_y)
+        places, change = c_dabs(dabs), ffi.new("sf_sculpt_change *")
+        ok(lib.sf_sculpt_stroke(self._c, brush, places.c, places.count, change))
+        return _core.value(change)  # type: ignore[no-any-return]
+
+    @contextmanager
+    @documented("sf_sculpt_begin", "sf_sculpt_end", "sf_sculpt_abandon")
+    def stroking(self, kind: BrushKind | str, tip: Tip, *, material: int = 1, passes: int = 1,
+                 mirror_x: bool = False, mirror_y: bool = False) -> Iterator[Callable[[Any], _types.SculptChange]]:
+        """A stroke that grows: each call of what it gives puts the brush on more places.
+
+            with model.stroking("add-trim", tip) as dab:
+                dab([(64, 64, 0)])
+                dab([(65, 64, 0)])
+
+        What is raised inside gives the stroke up: the model is as it was before it.
+        """
+        ok(lib.sf_sculpt_begin(self._c, c_brush(kind, tip, material, passes, mirror_x, mirror_y)))
+
+        def dab(dabs: Any) -> _types.SculptChange:
+            places, change = c_dabs(dabs), ffi.new("sf_sculpt_change *")
+            ok(lib.sf_sculpt_dab(self._c, places.c, places.count, change))
+            return _core.value(change)  # type: ignore[no-any-return]
+
+        try:
+            yield dab
+        except BaseException:
+            ok(lib.sf_sculpt_abandon(self._c, ffi.NULL))
+            raise
+        ok(lib.sf_sculpt_end(self._c, ffi.NULL))
+
+    @documented("sf_sculpt_drop_ghosts")
+    def drop_ghosts(self) -> _types.SculptChange:
+        """Let what was trimmed and kept as a ghost go."""
         change = ffi.new("sf_sculpt_change *")
-        c = ffi.cast("sf_dab *", ffi.from_buffer(places)) if places.size else ffi.NULL
-        ok(lib.sf_sculpt_stroke(self._c, brush, c, len(places), change))
+        ok(lib.sf_sculpt_drop_ghosts(self._c, change))
         return _core.value(change)  # type: ignore[no-any-return]
 
     @staticmethod
@@ -164,24 +199,53 @@ class Sculpt:
 
     @classmethod
     @documented("sf_session_read", "sf_session_replay")
-    def replay(cls, path: str | os.PathLike[str]) -> Sculpt:
-        """The model that a session in a file makes."""
-        fault, file = _core.new_fault(), ffi.new("sf_file **")
-        session, made = ffi.new("sf_session **"), ffi.new("sf_sculpt **")
-        ok(lib.sf_file_open(os.fsencode(path), ffi.NULL, file, fault), fault)
-        try:
-            ok(lib.sf_session_read(lib.sf_file_source(file[0]), 0, ffi.NULL, session, fault), fault)
-        finally:
-            lib.sf_file_close(file[0])
-        kept = ffi.gc(session[0], lib.sf_session_destroy)
-        ok(lib.sf_session_replay(kept, ffi.NULL, ffi.NULL, made))
-        model = cls.__new__(cls)
-        model._c = ffi.gc(made[0], lib.sf_sculpt_destroy)
-        from .voxel import lattice_of
+    def replay(cls, of: _files.Readable) -> Sculpt:
+        """The model that a session in a file makes; see Session for the session itself."""
+        from .sessions import Session
 
+        return Session.load(of).replay()
+
+    @classmethod
+    def _of(cls, c: Any, kept: Any) -> Sculpt:
+        """A model of the library's, and what its rule's table belongs to."""
+        model = cls.__new__(cls)
+        model._c, model._rule = ffi.gc(c, lib.sf_sculpt_destroy), kept
         model._lattice = lattice_of(lib.sf_sculpt_options_of(model._c).lattice)
-        model._rule = kept  # whose table the model's rule is
         return model
 
 
-__all__ = ["BrushKind", "Sculpt", "Tip", "TipShape"]
+# --- Brushes as the library has them ------------------------------------------------------------
+
+
+def kind_of(kind: BrushKind | str) -> BrushKind:
+    return BrushKind[kind.replace("-", "_").upper()] if isinstance(kind, str) else kind
+
+
+@documented("sf_brush_kind_name")
+def brush_name(kind: BrushKind) -> str:
+    """Its name as a person types it: "add-trim"."""
+    name = lib.sf_brush_kind_name(int(kind))
+    if name == ffi.NULL:
+        raise ValueError(f"{kind} is no kind of brush")
+    return ffi.string(name).decode()  # type: ignore[no-any-return]
+
+
+def c_brush(kind: BrushKind | str, tip: Tip | None, material: int, passes: int, mirror_x: bool,
+            mirror_y: bool) -> Any:
+    brush = _core.options("sf_brush", kind=int(kind_of(kind)), material=material, passes=passes,
+                          mirror_x=int(mirror_x), mirror_y=int(mirror_y))
+    if tip is not None:
+        brush.tip = tip._c
+    return brush
+
+
+class c_dabs:
+    """Voxels (n, 3) as dabs; the array must be kept while they are used."""
+
+    def __init__(self, dabs: Any) -> None:
+        self._array = np.ascontiguousarray(dabs, np.int32).reshape(-1, 3)
+        self.count = len(self._array)
+        self.c = ffi.cast("sf_dab *", ffi.from_buffer(self._array)) if self.count else ffi.NULL
+
+
+__all__ = ["BrushKind", "Sculpt", "Tip", "TipShape", "brush_name"]

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Landing, PreserveMode, RuleKind
+from .layers import Element, Layer, c_runs
 from .voxel import Grid, Lattice, _lattice, grid_or_null
 
 BED_AUTO = 0xFFFFFFFF
@@ -52,6 +53,14 @@ class Rule:
         with _lattice(lattice) as c:
             ok(lib.sf_rule_measure(made.c, c, found))
         return _core.value(found)  # type: ignore[no-any-return]
+
+
+    @documented("sf_rule_element")
+    def element(self, lattice: Lattice, layer: int) -> Element:
+        """What carries a voxel in one step: the layer above must lie within `layer` dilated by it."""
+        c, made = ffi.new("sf_element *"), _rule(self, lattice)
+        ok(lib.sf_rule_element(made.c, layer, c))
+        return Element._of(c[0])
 
 
 AnyRule = Union[Rule, str]
@@ -158,10 +167,12 @@ class Checker:
         ok(lib.sf_checker_place(self._options, aligned, size[0], made))
         self._c = made[0]
         self._shape = (height, width)
-        self._stride = lib.sf_slice_stride(width)
 
     def push(self, layer: Any, threshold: int | None = None) -> None:
-        """The next layer: an array of bools (y, x), or of uint8 where `threshold` and more is solid."""
+        """The next layer: a Layer, an array of bools (y, x), or of uint8, solid from `threshold` on."""
+        if isinstance(layer, Layer):
+            ok(lib.sf_checker_push(self._c, layer._c))
+            return
         if not isinstance(layer, np.ndarray):
             layer = np.asarray(layer, np.bool_)
         if layer.shape != self._shape:
@@ -174,14 +185,12 @@ class Checker:
         if layer.dtype != np.bool_:
             raise TypeError(f"layer: the array is of {layer.dtype}, and bool is needed; or give a "
                             "threshold for uint8")
-        row = np.zeros((self._shape[0], self._stride * 8), np.uint8)
-        packed = np.packbits(layer, axis=1, bitorder="little")
-        row[:, :packed.shape[1]] = packed
-        c = ffi.new("sf_slice *")
-        c.words = ffi.cast("uint64_t *", ffi.from_buffer(row))
-        c.height, c.width = self._shape
-        c.stride = self._stride
-        ok(lib.sf_checker_push(self._c, c[0]))
+        ok(lib.sf_checker_push(self._c, Layer.from_array(layer)._c))
+
+    @documented("sf_checker_push_runs")
+    def push_runs(self, runs: npt.NDArray[np.void]) -> None:
+        """The next layer as runs, as `Layer.runs()` gives them."""
+        ok(lib.sf_checker_push_runs(self._c, c_runs(runs), len(runs)))
 
     @documented("sf_checker_report")
     def report(self) -> Checked:
@@ -227,16 +236,36 @@ class Preserved(NamedTuple):
     report: _types.PreserveReport
 
 
-@documented("sf_grid_trim")
+@documented("sf_grid_trim", "sf_grid_trim_on")
 def trim(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None,
+         exempt: Grid | None = None, keep: Grid | None = None, act: Grid | None = None,
          progress: Progress = None) -> Trimmed:
-    """The largest support-free part of a shape."""
-    made = _rule(rule, grid.lattice)
+    """The largest support-free part of a shape; with masks an error where what must stay cannot."""
     result, report = grid.copy(), ffi.new("sf_trim_report *")
+    terms = _terms(grid, rule, bed_layer, exempt, keep, None, act)
     with running(progress) as task:
-        ok(lib.sf_grid_trim(result._c, made.c, BED_AUTO if bed_layer is None else bed_layer, task,
-                            report))
+        if exempt is None and keep is None and act is None:
+            ok(lib.sf_grid_trim(result._c, terms._rule.c, terms.c.bed_layer, task, report))
+        else:
+            ok(lib.sf_grid_trim_on(result._c, terms.c, ffi.NULL, task, ffi.NULL, report))
     return Trimmed(result, _core.value(report))
+
+
+@documented("sf_grid_trim_box")
+def update_trim(drawn: Grid, printable: Grid, box: _types.Box, rule: AnyRule = "box3", *,
+                bed_layer: int | None = None) -> _types.Box:
+    """Bring printable = trim(drawn), in place, up to date after `drawn` changed within a box.
+
+    The box around the voxels of `printable` that are others now.
+    """
+    made, changed = _rule(rule, drawn.lattice), ffi.new("sf_box *")
+    ok(lib.sf_grid_trim_box(drawn._c, printable._c, made.c, BED_AUTO if bed_layer is None else bed_layer,
+                            _box(box), changed))
+    return _core.value(changed)  # type: ignore[no-any-return]
+
+
+def _box(box: _types.Box) -> Any:
+    return {name: getattr(box, name) for name in ("x0", "y0", "z0", "x1", "y1", "z1")}
 
 
 @documented("sf_grid_grow")
@@ -298,5 +327,5 @@ def preserve(grid: Grid, brush: Grid, rule: AnyRule = "box3", *, bed_layer: int 
 
 __all__ = [
     "Checked", "Checker", "Grown", "Landing", "Preserved", "Repaired", "Rule", "Trimmed", "check",
-    "grow", "preserve", "repair", "trim", "unsupported",
+    "grow", "preserve", "repair", "trim", "unsupported", "update_trim",
 ]

@@ -53,11 +53,21 @@ class Lattice:
         """The shape of arrays on it: (nz, ny, nx)."""
         return (self.nz, self.ny, self.nx)
 
+    @documented("sf_lattice_layer_bottom")
     def layer_bottom(self, k: int) -> float:
         """The height of the bottom of layer k, mm; of k = nz the top of the last."""
-        if isinstance(self.layer_mm, float) or isinstance(self.layer_mm, int):
-            return self.origin_mm[2] + k * self.layer_mm
-        return self.origin_mm[2] + sum(self.layer_mm[:k])
+        if not 0 <= k <= self.nz:
+            raise IndexError(f"layer {k} of {self.nz}")
+        with _lattice(self) as c:
+            return float(lib.sf_lattice_layer_bottom(c, k))
+
+    @documented("sf_lattice_layer_height")
+    def layer_height(self, k: int) -> float:
+        """The height of layer k, mm."""
+        if not 0 <= k < self.nz:
+            raise IndexError(f"layer {k} of {self.nz}")
+        with _lattice(self) as c:
+            return float(lib.sf_lattice_layer_height(c, k))
 
     @classmethod
     def around(cls, low_mm: Any, high_mm: Any, pitch_mm: float, layer_mm: float | None = None,

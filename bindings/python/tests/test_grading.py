@@ -60,7 +60,105 @@ class Cages(unittest.TestCase):
                 libsf.Cage.load(path + "x")
 
 
+class Built(unittest.TestCase):
+    def test_bodies(self):
+        square = libsf.Cage([[1, 0, 0], [2, 0, 0], [2, 0, 3], [1, 0, 3]], [[0, 1, 2, 3]], dimension=2)
+        ring = square.revolved(64)
+        self.assertAlmostEqual(ring.check().volume_mm3, np.pi * 3 * 3, delta=0.05)
+        self.assertAlmostEqual(square.extruded((0, -2, 0), 3).check().volume_mm3, 6)
+        with self.assertRaises(libsf.ArgumentError):
+            square.extruded((1, 0, 0), 3)  # along the faces
+        bone = libsf.Cage.skeleton([((0, 0, 0), 1), ((10, 0, 0), 1)], [(0, 1, 4)])
+        self.assertAlmostEqual(bone.check().volume_mm3, 12 * 4)
+        with self.assertRaises(libsf.ArgumentError):
+            libsf.Cage.skeleton([((0, 0, 0), 1)], [(0, 5, 1)])
+
+    def test_by_functions(self):
+        cage = graded()
+        before = np.array(cage.points)
+        cage.map_points(lambda p: (p[0], p[1], p[2] + p[0]**2))
+        np.testing.assert_allclose(cage.points[:, 2], before[:, 2] + before[:, 0]**2)
+        cage.map_values("tone", lambda p, tone: tone / 2)
+        np.testing.assert_allclose(cage.values("tone"), before[:, 0] / 8)
+        with self.assertRaises(ZeroDivisionError):
+            cage.map_points(lambda p: 1 / 0)
+        np.testing.assert_allclose(cage.points[:, 0], before[:, 0])
+        cage.remove_property("tone")
+        self.assertEqual(list(cage.properties), [])
+
+    def test_undone(self):
+        cage = graded()
+        history, before = libsf.CageHistory(cage), np.array(cage.points)
+        weights = cage.select((0, 0, 0), 1.5)
+        self.assertEqual(cage.drag(weights, (0, 0, -1)), (weights > 0).sum())
+        np.testing.assert_allclose(cage.points, before + weights[:, None] * (0, 0, -1))
+        self.assertGreater(history.record(), 0)
+        self.assertGreater(cage.smooth(np.ones(45), 0.5), 0)
+        history.record()
+        self.assertEqual(history.state.undo_count, 2)
+        after = np.array(cage.points)
+        history.undo()
+        history.undo()
+        np.testing.assert_array_equal(cage.points, before)
+        self.assertEqual(history.undo(), 0)
+        history.redo()
+        history.redo()
+        np.testing.assert_array_equal(cage.points, after)
+
+    def test_known_properties(self):
+        self.assertEqual(libsf.known_property("density").si, (-3, 1, 0, 0, 0, 0, 0))
+        with self.assertRaises(KeyError):
+            libsf.known_property("taste")
+
+
+class Steps(unittest.TestCase):
+    def test_stencils_make_the_points(self):
+        cage = graded()
+        refined = cage.refined(2)
+        step = refined.step(2)
+        self.assertEqual(len(step.starts), 16 * 64 + 1)
+        for point in (0, 17, len(step.points) - 1):
+            points, weights = refined.stencil(2, point)
+            self.assertAlmostEqual(weights.sum(), 1)
+            np.testing.assert_allclose(weights @ cage.points[points], step.points[point], atol=1e-12)
+        cage.move(cage.points * (1.0, 1.0, 2.0))
+        refined.update()
+        np.testing.assert_allclose(refined.step(2).points, cage.refined(2).step(2).points, atol=1e-12)
+        np.testing.assert_allclose(step.channels["tone"].values, refined.step(2).channels["tone"].values)
+
+
 class Limits(unittest.TestCase):
+    def test_found_again(self):
+        cage = graded()
+        limit = cage.limit()
+        self.assertEqual(limit.piece_count, 16 * 8)
+        self.assertEqual(limit.check().inverted, 0)
+        random = np.random.default_rng(1)
+        places = limit.places(random.integers(0, 16, 100), random.random((100, 3)))
+        at = limit.positions(places)
+        locator = libsf.Locator(limit)
+        found, distances = locator.find(at)
+        self.assertLess(distances.max(), 1e-9)
+        np.testing.assert_allclose(limit.positions(found), at, atol=1e-9)
+        np.testing.assert_allclose(limit.values("tone", found), limit.values("tone", places), atol=1e-9)
+        far, distances = locator.find(np.array([[100.0, 0, 0]]), 1.0)
+        self.assertEqual((int(far[0]["piece"]), distances[0]), (libsf.NO_PIECE, np.inf))
+        step = 1e-6
+        moved = places.copy()
+        inside = places["u"][:, 0] < 0.9
+        moved["u"][inside, 0] += step
+        np.testing.assert_allclose(limit.derivatives(places)[inside, :, 0],
+                                   (limit.positions(moved) - at)[inside] / step, atol=1e-4)
+        np.testing.assert_allclose(limit.value_derivatives("tone", places)[inside, 0],
+                                   (limit.values("tone", moved) - limit.values("tone", places))[inside] / step, atol=1e-4)
+        sampler = limit.slices(libsf.Lattice(8, 8, 8))
+        cage.move(cage.points * (2.0, 1.0, 1.0))
+        limit.update()
+        np.testing.assert_allclose(limit.positions(places), at * (2, 1, 1), atol=1e-9)
+        for stale in (lambda: locator.find(at), lambda: sampler[0]):
+            with self.assertRaisesRegex(RuntimeError, "changed"):
+                stale()
+
     def test_the_inside_of_a_block_is_where_it_was(self):
         limit = graded().limit()
         u = np.array([[0.5, 1, 1], [0.25, 1, 1]])
@@ -113,6 +211,23 @@ class Tones(unittest.TestCase):
 
 
 class Mixtures(unittest.TestCase):
+    def test_curves(self):
+        curve = libsf.Curve([(0, 1), (0.5, 2), (1, 5)])
+        self.assertAlmostEqual(curve(0.5), 2)
+        self.assertEqual((curve(-1), curve(2), curve.change), (1, 5, 0))
+        x, miss = curve.inverse(curve(0.7))
+        self.assertAlmostEqual(x, 0.7)
+        self.assertAlmostEqual(miss, 0)
+        y, slope = curve.value_and_slope(0.3)
+        self.assertAlmostEqual(slope, (curve(0.3001) - curve(0.2999)) / 2e-4, places=4)
+        self.assertAlmostEqual(libsf.Curve([(0, 1), (0.4, 3), (0.6, 2), (1, 5)]).change, 0.5)
+        with self.assertRaises(ValueError):
+            libsf.Curve([1, 2, 3])
+
+    def test_simplices(self):
+        mixture = libsf.Mixture([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1 / 3, 1 / 3, 1 / 3]], [[1.0], [2.0], [3.0], [2.0]])
+        self.assertEqual([list(s) for s in sorted(mixture.simplices().tolist())], [[0, 1, 3], [0, 2, 3], [1, 2, 3]])
+
     def test_two_materials(self):
         mixture = libsf.Mixture([[1, 0], [0.5, 0.5], [0, 1]], [[1.0], [2.0], [5.0]])
         fractions, miss = mixture.fractions(3.5)
