@@ -311,14 +311,16 @@ class Cage:
         """The smooth solid that it makes, to be evaluated and sliced."""
         from .limits import Limit
 
-        return Limit(self)
+        made: Limit = Limit(self)
+        return made
 
     @documented("sf_refine")
     def refined(self, steps: int = 1) -> Refinement:
         """It after some steps of subdivision, to be changed and made tetrahedra of."""
         from .refining import Refinement
 
-        return Refinement(self, steps)
+        made: Refinement = Refinement(self, steps)
+        return made
 
     def __repr__(self) -> str:
         v = self._view

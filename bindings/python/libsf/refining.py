@@ -109,7 +109,8 @@ class Refinement:
         """Six tetrahedra for each cell of a step; they change with the refinement."""
         made = ffi.new("sf_tets **")
         ok(lib.sf_tets_of_refinement(self._c, step, ffi.NULL, made))
-        return Tets._of(made[0], self)
+        found: Tets = Tets._of(made[0], self)
+        return found
 
 
 # --- Tetrahedra ---------------------------------------------------------------------------------

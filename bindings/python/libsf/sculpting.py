@@ -203,7 +203,8 @@ class Sculpt:
         """The model that a session in a file makes; see Session for the session itself."""
         from .sessions import Session
 
-        return Session.load(of).replay()
+        model: Sculpt = Session.load(of).replay()
+        return model
 
     @classmethod
     def _of(cls, c: Any, kept: Any) -> Sculpt:
