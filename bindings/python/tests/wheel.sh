@@ -61,8 +61,15 @@ if "$folder/build/bin/pip" install -q --disable-pip-version-check auditwheel pat
             >"$folder/log" 2>&1 &&
         (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python "$source/bindings/python/tests/tap.py" \
             test_stacks) >"$folder/log" 2>&1
-    ok $? "with what it needs inside: $(unzip -l "$folder"/whole/*.whl 2>/dev/null | grep -o 'lib[a-z]*-[^ ]*so[.0-9]*' | tr '\n' ' ')"
+    ok $? "with what it needs inside: $(unzip -l "$folder"/whole/*.whl 2>/dev/null | grep -o 'lib[a-z0-9]*-[0-9a-f]*\.so[.0-9]*' | tr '\n' ' ')"
 fi
+# A cluster of two workers, by the extra that brings it.
+(cd "$folder/dist" && for wheel in libsf-*.whl; do
+    "$folder/build/bin/pip" install -q --disable-pip-version-check "$wheel[dask]"
+done) >"$folder/log" 2>&1 &&
+    (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" build/bin/python "$source/bindings/python/tests/tap.py" \
+        test_batch) >"$folder/log" 2>&1 && ! grep SKIP "$folder/log"
+ok $? "and with libsf[dask] passes batch, on a cluster too: $(grep -c '^ok' "$folder/log") cases"
 # shellcheck disable=SC2086
 for version in $(printf '%s\n' $found | sed -n '1p;$p' | uniq); do
     "python$version" -m venv "$folder/v$version" >"$folder/log" 2>&1 &&
