@@ -10,6 +10,15 @@ import libsf.batch
 from test_mesh import box
 
 
+ONE = libsf.batch.one
+
+
+def dies_on_two(path, *given):
+    if path.endswith("2.stl"):
+        os._exit(9)
+    return ONE(path, *given)
+
+
 class Batch(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -72,6 +81,52 @@ class Batch(unittest.TestCase):
         grid = libsf.voxelize(libsf.Mesh.load(mended["repaired"]), pitch_mm=18 / 16)
         self.assertGreater(grid.count(), 0)
         self.assertEqual(os.listdir(self.path("out")), ["table.stl"])
+
+    def test_names_are_kept_apart(self):
+        leaning = libsf.Grid(libsf.Lattice(12, 12, 12, 1, 1))
+        array = leaning.array()
+        array[:8, :4], array[8:] = True, True
+        leaning.set_array(array)
+        mesh = libsf.surface(leaning)
+        os.makedirs(self.path("models", "sub"))
+        names = ["a.obj", "a.stl", "sub/a.stl", "A.STL", "a.obj.stl"]
+        for name in names:
+            mesh.save(self.path("models", name))
+        made = {os.path.relpath(r["file"], self.path("models")): os.path.relpath(r["repaired"], self.path("out"))
+                for r in self.run_all(workers=2, repaired=self.path("out")) if "repaired" in r}
+        self.assertEqual(set(made), set(names))
+        self.assertEqual(made["sub/a.stl"], "sub/a.stl")
+        self.assertEqual(len({m.lower() for m in made.values()}), len(names))
+        self.assertTrue(all(os.path.getsize(self.path("out", m)) > 84 for m in made.values()))
+
+    def test_a_later_wish_for_repair(self):
+        self.test_names_are_kept_apart()
+        first = len(self.lines())
+        os.remove(self.path("out", "sub", "a.stl"))  # one is missing: it alone is made again
+        self.run_all(workers=1, repaired=self.path("out"))
+        self.assertEqual(len(self.lines()), first + 1)
+        self.assertTrue(os.path.exists(self.path("out", "sub", "a.stl")))
+        self.run_all(workers=1, repaired=self.path("elsewhere"))
+        self.assertTrue(os.path.exists(self.path("elsewhere", "sub", "a.stl")))
+
+    def lines(self):
+        with open(self.path("report.jsonl"), encoding="utf-8") as file:
+            return file.readlines()
+
+    def test_a_list_of_files(self):
+        paths = [self.path("models", "0.stl"), self.path("models", "bad.obj")]
+        results = list(libsf.batch.run(paths, self.path("report.jsonl"), resolution=16, workers=1,
+                                       repaired=self.path("out")))
+        self.assertEqual([r["file"] for r in results], paths)
+
+    def test_a_worker_that_dies(self):
+        before = libsf.batch.one
+        libsf.batch.one = dies_on_two
+        self.addCleanup(setattr, libsf.batch, "one", before)
+        results = {os.path.basename(r["file"]): r for r in self.run_all(workers=2)}
+        self.assertEqual(len(results), 8)
+        self.assertIn("the worker failed", results["2.stl"]["error"])
+        self.assertTrue(results["5.stl"]["support_free"])
 
     def test_a_cluster(self):
         try:
