@@ -48,11 +48,11 @@ def side(grid: Grid, *, marked: Grid | None = None, axis: str = "y", axes: Any =
         (lattice.ny, lattice.pitch_mm[1], lattice.origin_mm[1])
     edges = [lattice.layer_bottom(k) for k in range(lattice.nz + 1)]
     places = start + np.arange(width + 1) * pitch
-    shown = np.ma.masked_array(depth, depth == 0)
+    shown = np.where(depth > 0, depth.astype(float), np.nan)
     axes.pcolormesh(places, edges, shown, cmap="Blues", vmin=-0.4 * max(depth.max(), 1), vmax=depth.max() * 1.2)
     if marked is not None:
         found = marked.array().any(axis=across)
-        hangs = np.ma.masked_array(found.astype(int), ~found)
+        hangs = np.where(found, 1.0, np.nan)
         axes.pcolormesh(places, edges, hangs, cmap="autumn", vmin=0, vmax=2)
     axes.set(xlabel=f"{'x' if axis == 'y' else 'y'}, mm", ylabel="z, mm")
     axes.set_aspect("equal")
