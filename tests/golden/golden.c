@@ -5,10 +5,13 @@
 #include "test.h"
 
 #include <jansson.h>
+#include <math.h>
 
+#include <sf/mesh.h>
+#include <sf/stance.h>
 #include <sf/support.h>
 
-static const char *path;
+static const char *path, *bodies_path;
 
 static sf_grid *read_grid(const json_t *one, const char *key)
 {
@@ -66,9 +69,76 @@ static void all_cases(void)
     json_decref(file);
 }
 
+static double number_in(const json_t *one, const char *key, size_t i)
+{
+    return json_number_value(json_array_get(json_object_get(one, key), i));
+}
+
+static sf_mesh *read_body(const json_t *one)
+{
+    const json_t *vertices = json_object_get(one, "vertices");
+    const json_t *triangles = json_object_get(one, "triangles");
+    sf_mesh *mesh = NULL;
+    CHECK(sf_mesh_create(NULL, &mesh) == SF_OK);
+    for (size_t v = 0; v < json_array_size(vertices); v++) {
+        double xyz[3];
+        for (size_t i = 0; i < 3; i++) {
+            xyz[i] = json_number_value(json_array_get(json_array_get(vertices, v), i));
+        }
+        CHECK(sf_mesh_add_vertices(mesh, xyz, 1) == SF_OK);
+    }
+    for (size_t t = 0; t < json_array_size(triangles); t++) {
+        uint32_t corners[3];
+        for (size_t i = 0; i < 3; i++) {
+            corners[i] =
+                (uint32_t)json_integer_value(json_array_get(json_array_get(triangles, t), i));
+        }
+        CHECK(sf_mesh_add_triangles(mesh, corners, 1) == SF_OK);
+    }
+    return mesh;
+}
+
+static void check_body(const json_t *one)
+{
+    sf_mesh *mesh = read_body(one);
+    const double volume = json_number_value(json_object_get(one, "volume_mm3"));
+    const double margin = json_number_value(json_object_get(one, "margin_rad"));
+    sf_stance_options options = sf_stance_options_default();
+    sf_stance *stance = NULL;
+    sf_stance_verdict verdict;
+    sf_mass mass;
+    CHECK(sf_mesh_measure(sf_mesh_get_view(mesh), &mass) == SF_OK);
+    CHECK_NEAR(mass.volume_mm3, volume, 1e-12 * volume);
+    for (size_t i = 0; i < 3; i++) {
+        CHECK_NEAR(mass.com_mm[i], number_in(one, "com_mm", i), 1e-12);
+    }
+    for (size_t i = 0; i < 6; i++) {
+        CHECK_NEAR(mass.inertia_mm5[i], number_in(one, "inertia_mm5", i), 1e-9);
+    }
+    CHECK(sf_stance_create(sf_mesh_get_view(mesh), &options, NULL, &stance, NULL) == SF_OK);
+    CHECK(sf_stance_judge(stance, mass.com_mm, &verdict) == SF_OK);
+    CHECK_NEAR(verdict.margin_rad, margin, 1e-12);
+    CHECK(fabs(margin) < 1e-9 || verdict.stands == (margin > 0));
+    sf_stance_destroy(stance);
+    sf_mesh_destroy(mesh);
+}
+
+static void all_bodies(void)
+{
+    json_t *file = json_load_file(bodies_path, 0, NULL);
+    const json_t *cases = json_object_get(file, "cases");
+    CHECK(json_array_size(cases) == 39);
+    for (size_t i = 0; i < json_array_size(cases); i++) {
+        check_body(json_array_get(cases, i));
+    }
+    json_decref(file);
+}
+
 int main(int argc, char **argv)
 {
     path = argc > 1 ? argv[1] : "box3.json";
+    bodies_path = argc > 2 ? argv[2] : "tetrahedra.json";
     TEST(all_cases);
+    TEST(all_bodies);
     return test_finish();
 }
