@@ -1,6 +1,7 @@
 """What Python may rely on: no copies behind its back, clear refusals, no leaks, a free lock, and
 calls that stop when they are asked to."""
 
+import ctypes
 import gc
 import os
 import signal
@@ -191,34 +192,90 @@ class Tasks(unittest.TestCase):
 
 
 class Leaks(unittest.TestCase):
-    def test_nothing_is_lost_in_many_calls(self):
+    """SF_LEAK_CALLS sets how many calls there are, at least; each test makes a part of them."""
+
+    CALLS = int(os.environ.get("SF_LEAK_CALLS", "20000"))
+
+    def assert_nothing_stays(self, *calls, rounds=None):
+        def go(count):
+            for _ in range(count):
+                for call in calls:
+                    call()
+
+        go(100)
+        gc.collect()
+        tracemalloc.start()
+        before, resident, held = tracemalloc.get_traced_memory()[0], self.resident(), self.held()
+        go(rounds or self.CALLS // len(calls))
+        gc.collect()
+        after, now, holds = tracemalloc.get_traced_memory()[0], self.resident(), self.held()
+        tracemalloc.stop()
+        print(f"# {after - before} bytes traced, {holds - held} bytes allocated, {now - resident} kB resident")
+        self.assertLess(after - before, 100_000)
+        self.assertLess(holds - held, 200_000)
+        self.assertLess(now - resident, 4_000)
+
+    def test_grids(self):
         lattice = libsf.Lattice(9, 8, 7)
         grid = libsf.Grid.from_array(np.ones((7, 8, 9), bool))
 
-        def calls(n):
-            for _ in range(n):
-                g = libsf.Grid(lattice)
-                g.set_array(g.array())
-                g.words
-                grid.count()
-                libsf.check(grid, "octagon")
-                libsf.trim(grid)
-                try:
-                    libsf.Grid.from_array(np.zeros((1, 1), bool))
-                except ValueError:
-                    pass
+        def refused():
+            with self.assertRaises(ValueError):
+                libsf.Grid.from_array(np.zeros((1, 1), bool))
 
-        calls(500)
-        gc.collect()
-        tracemalloc.start()
-        before, resident = tracemalloc.get_traced_memory()[0], self.resident()
-        calls(int(os.environ.get("SF_LEAK_CALLS", "3000")))
-        gc.collect()
-        after, now = tracemalloc.get_traced_memory()[0], self.resident()
-        tracemalloc.stop()
-        print(f"# {after - before} bytes traced, {now - resident} kB resident")
-        self.assertLess(after - before, 100_000)
-        self.assertLess(now - resident, 4_000)
+        self.assert_nothing_stays(
+            lambda: libsf.Grid(lattice).words, lambda: libsf.Grid(lattice).set_array(grid.array()), grid.count,
+            lambda: libsf.check(grid, "octagon"), lambda: libsf.trim(grid), refused)
+
+    def test_bodies(self):
+        cube = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+        faces = [[0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4],
+                 [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]]
+        mesh, balance = libsf.Mesh(cube, faces), libsf.Balance(faces)
+        stance = libsf.Stance(mesh)
+
+        def panics():
+            with self.assertRaises(ZeroDivisionError):
+                libsf.repair(libsf.voxelize(mesh, pitch_mm=0.25), progress=lambda share: 1 // 0)
+
+        self.assert_nothing_stays(
+            lambda: libsf.Mesh(cube, faces).vertices, mesh.measure, lambda: libsf.Stance(mesh).polygon(),
+            lambda: stance.judge((0.5, 0.5, 0.5)), lambda: balance.center_of_mass(cube),
+            lambda: libsf.surface(libsf.voxelize(mesh, pitch_mm=0.25)), panics)
+
+    def test_models_and_cages(self):
+        tip = libsf.Tip.shaped("sphere", 2)
+        model = libsf.Sculpt(libsf.Lattice(8, 8, 8))
+        cage = libsf.Cage.block((1, 1, 1), (0, 0, 0), (1, 1, 1))
+        cage.add_property("tone", np.array(cage.points[:, 0]), 0, 1)
+
+        def stroke():
+            model.stroke("add-trim", tip, [(4, 4, 0)])
+            model.undo()
+
+        self.assert_nothing_stays(
+            lambda: libsf.Sculpt(libsf.Lattice(8, 8, 8), history_size=1 << 16).printable(), stroke,
+            lambda: libsf.Cage.block((1, 1, 1), (0, 0, 0), (1, 1, 1)).points, lambda: cage.values("tone"),
+            lambda: cage.paint("tone", (0, 0, 0), 1, 0.5))
+
+    def test_limits(self):
+        cage = libsf.Cage.block((1, 1, 1), (0, 0, 0), (1, 1, 1))
+        self.assert_nothing_stays(lambda: libsf.Limit(cage), rounds=self.CALLS // 100)
+
+    @staticmethod
+    def held():
+        """Bytes that the C library's allocator has given and not got back; 0 where it does not tell."""
+        class Info(ctypes.Structure):
+            _fields_ = [(name, ctypes.c_size_t) for name in
+                        "arena ordblks smblks hblks hblkhd usmblks fsmblks uordblks fordblks keepcost".split()]
+
+        try:
+            mallinfo = ctypes.CDLL(None).mallinfo2
+        except (AttributeError, OSError):
+            return 0
+        mallinfo.restype = Info
+        told = mallinfo()
+        return told.uordblks + told.hblkhd
 
     @staticmethod
     def resident():
