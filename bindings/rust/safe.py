@@ -16,25 +16,45 @@ import os
 import re
 
 ENUMS = {"sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
-         "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat"}
+         "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat",
+         "sf_tip_shape": "TipShape", "sf_brush_kind": "BrushKind", "sf_session_step": "SessionStep",
+         "sf_cage_format": "CageFormat", "sf_refine_rules": "RefineRules", "sf_falloff": "Falloff",
+         "sf_paint_where": "PaintWhere", "sf_paint_operation": "PaintOperation", "sf_trend": "Trend",
+         "sf_mask_kind": "MaskKind", "sf_operation": "Operation", "sf_landing": "Landing",
+         "sf_path_end": "PathEnd", "sf_path_cost": "PathCost", "sf_border": "Border",
+         "sf_connectivity": "Connectivity", "sf_isa": "Isa"}
 # Values that are no error, or no value at all.
-PASSED_OVER = {"SF_OK", "SF_STATUS_COUNT"}
-STRUCTS = {"sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
+PASSED_OVER = {"SF_OK", "SF_STATUS_COUNT", "SF_BRUSH_KIND_COUNT", "SF_ISA_COUNT"}
+STRUCTS = {"sf_sculpt_change": "SculptChange", "sf_sculpt_history": "SculptHistory",
+           "sf_session_counts": "SessionCounts", "sf_cage_report": "CageReport", "sf_cage_reading": "CageReading",
+           "sf_cage_history_state": "CageHistoryState", "sf_limit_report": "LimitReport",
+           "sf_sample_report": "SampleReport", "sf_tets_report": "TetsReport", "sf_diffusion": "Diffusion",
+           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport", "sf_path": "PathReport",
+           "sf_finding_cost": "FindingCost", "sf_slice_sums": "SliceSums", "sf_component": "Component",
+           "sf_bridge": "Bridge", "sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
            "sf_check_report": "CheckReport", "sf_finding": "Finding", "sf_void": "Void",
            "sf_voids_report": "VoidsReport", "sf_steepest": "Steepest", "sf_trim_report": "TrimReport",
            "sf_grow_report": "GrowReport", "sf_repair_report": "RepairReport",
            "sf_preserve_report": "PreserveReport", "sf_topology": "Topology", "sf_mass": "Mass",
            "sf_voxelize_report": "VoxelizeReport"}
+# Structs of plain numbers that stand in arrays: the same bytes in both languages, so that arrays need no copy.
+PLAIN = {"sf_dab": "Dab", "sf_voxel": "Voxel", "sf_run": "Run", "sf_crease": "Crease",
+         "sf_sharp_point": "SharpPoint", "sf_place": "Place", "sf_skeleton_node": "SkeletonNode",
+         "sf_skeleton_strut": "SkeletonStrut", "sf_curve_sample": "CurveSample",
+         "sf_certificate_layer": "CertificateLayer", "sf_certificate_step": "CertificateStep",
+         "sf_certificate_span": "CertificateSpan"}
 # Fields whose greatest number means that there is none.
 NONE = {"sf_check_report.bed_layer", "sf_finding.cause", "sf_void.vent_layer", "sf_voids_report.bed_layer",
         "sf_steepest.layer", "sf_trim_report.bed_layer", "sf_grow_report.bed_layer",
-        "sf_repair_report.bed_layer", "sf_repair_report.trim_cost", "sf_repair_report.grow_cost"}
+        "sf_finding_cost.grow_voxels", "sf_repair_report.bed_layer", "sf_repair_report.trim_cost", "sf_repair_report.grow_cost"}
 # What callers hand in as well: they are turned back.
 BOTH_WAYS = {"sf_rect", "sf_box"}
-NUMBERS = {"uint32_t": "u32", "uint64_t": "u64", "size_t": "usize", "double": "f64"}
+NUMBERS = {"uint8_t": "u8", "uint16_t": "u16", "int32_t": "i32", "uint32_t": "u32", "uint64_t": "u64",
+           "size_t": "usize", "double": "f64"}
 HEAD = """// SPDX-License-Identifier: MIT
 // Results and choices of the library as Rust has them. Written by bindings/rust/generate.py.
 
+use crate::plain::Plain;
 use crate::sys;
 """
 
@@ -165,6 +185,8 @@ def field(s, f):
         return ENUMS[kind["name"]], f"{ENUMS[kind['name']]}::of({c})"
     if kind.get("name") == "sf_wide":
         return "u128", f"u128::from({c}.high) << 64 | u128::from({c}.low)"
+    if kind["kind"] == "struct" and kind["name"] in PLAIN:
+        return PLAIN[kind["name"]], f"crate::plain::of(&{c})"
     if kind["kind"] == "struct":
         return STRUCTS[kind["name"]], f"{STRUCTS[kind['name']]}::of(&{c})"
     if kind["name"] == "int":
@@ -187,13 +209,27 @@ def struct(s, api):
         none = " (`None` here)" if kind.startswith("Option") else ""
         text += comment(f["doc"] + none, api, "    ") + f"    pub {rust_name(f)}: {kind},\n"
         made += f"            {rust_name(f)}: {value},\n"
-    text += (f"}}\n\nimpl {name} {{\n    pub(crate) fn of(c: &sys::{s['name']}) -> {name} {{\n"
+    text += (f"}}\n\nimpl {name} {{\n    #[allow(dead_code)]\n"
+             f"    pub(crate) fn of(c: &sys::{s['name']}) -> {name} {{\n"
              f"        {name} {{\n{made}        }}\n    }}\n")
     if s["name"] in BOTH_WAYS:
         back = "".join(f"            {f['name']}: self.{f['name']},\n" for f in s["fields"])
         text += (f"\n    pub(crate) fn c(&self) -> sys::{s['name']} {{\n        sys::{s['name']} {{\n{back}"
                  "        }\n    }\n")
     return text + "}\n"
+
+
+def plain(s, api):
+    name = PLAIN[s["name"]]
+    kinds = [field(s, f)[0] for f in s["fields"]]
+    traits = "Clone, Copy, Debug, Default, PartialEq" + ("" if any("f64" in k for k in kinds) else ", Eq, Hash")
+    text = f"{comment(s['doc'], api)}#[repr(C)]\n#[derive({traits})]\npub struct {name} {{\n"
+    for f, kind in zip(s["fields"], kinds):
+        if kind not in NUMBERS.values() and not re.fullmatch(r"\[(\w+); \w+\]", kind):
+            raise SystemExit(f"{s['name']}.{f['name']} is no plain number")
+        text += comment(f["doc"], api, "    ") + f"    pub {rust_name(f)}: {kind},\n"
+    return (f"{text}}}\n\n// The fields are those of C, in their order.\nunsafe impl Plain for {name} {{\n"
+            f"    type C = sys::{s['name']};\n}}\n")
 
 
 def records(api):
@@ -204,6 +240,8 @@ def records(api):
     for s in api["structs"]:
         if s["name"] in STRUCTS:
             text += "\n" + struct(s, api)
+        if s["name"] in PLAIN:
+            text += "\n" + plain(s, api)
     return text
 
 

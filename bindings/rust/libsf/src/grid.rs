@@ -7,6 +7,7 @@
 // operator changes, which C has to check, is said here by the references alone.
 
 use std::fmt;
+use std::mem::ManuallyDrop;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
@@ -89,6 +90,12 @@ impl Grid {
         let mut c = ptr::null_mut();
         check(unsafe { sys::sf_grid_clone(self.c(), ptr::null(), &mut c) })?;
         Ok(Grid { c: own(c)?, lattice: self.lattice.clone() })
+    }
+
+    /// A grid that belongs to something else, which it must not outlive, and which must not be changed
+    /// through it.
+    pub(crate) fn lent(c: *const sys::sf_grid, lattice: &Lattice) -> Result<ManuallyDrop<Grid>> {
+        Ok(ManuallyDrop::new(Grid { c: own(c.cast_mut())?, lattice: lattice.clone() }))
     }
 
     pub(crate) fn c(&self) -> *const sys::sf_grid {

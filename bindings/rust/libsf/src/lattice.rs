@@ -125,6 +125,14 @@ impl Lattice {
         (k <= self.nz()).then(|| unsafe { sys::sf_lattice_layer_bottom(&self.c(), k) })
     }
 
+    /// A copy of one of C's.
+    pub(crate) fn of(c: &sys::sf_lattice) -> Result<Lattice> {
+        let heights_mm = (!c.heights_mm.is_null())
+            .then(|| unsafe { crate::plain::elements(c.heights_mm, c.nz as usize) }.into());
+        let (counts, pitch_mm) = ([c.nx, c.ny, c.nz], [c.pitch_x_mm, c.pitch_y_mm]);
+        Lattice { counts, pitch_mm, layer_mm: c.layer_mm, heights_mm, origin_mm: c.origin_mm }.checked()
+    }
+
     /// As C has it; the heights are this lattice's.
     pub(crate) fn c(&self) -> sys::sf_lattice {
         sys::sf_lattice {

@@ -70,10 +70,14 @@ mod grid;
 mod lattice;
 mod mesh;
 mod operators;
+mod plain;
 mod rule;
+mod sculpt;
+mod session;
 mod slice;
 mod stream;
 mod task;
+mod tip;
 
 pub use check::{CheckOptions, Checked, Checker, VoidsOptions};
 pub use error::{Error, Result};
@@ -83,8 +87,11 @@ pub use mesh::{Mesh, Voxelizer};
 pub use operators::{PreserveOptions, RepairOptions};
 pub use records::*;
 pub use rule::{Rule, Terms};
+pub use sculpt::{Brush, Sculpt, SculptOptions, Stroke};
+pub use session::{Session, SessionOptions, StrokeOf};
 pub use slice::{slice_stride, Slice, SliceMut};
 pub use task::{Canceller, Task};
+pub use tip::{Tip, TipRef};
 
 #[doc = words!(sf_version)]
 pub fn version() -> &'static str {

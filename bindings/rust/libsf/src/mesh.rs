@@ -2,7 +2,6 @@
 // Meshes: triangles in and out, voxels of them, and surfaces of voxels.
 
 use std::fmt;
-use std::fs::File;
 use std::io::{Read, Write};
 use std::marker::PhantomData;
 use std::mem::zeroed;
@@ -11,7 +10,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
-use crate::stream::{c_path, reading, saving, writing};
+use crate::plain::elements;
+use crate::stream::{c_path, open, reading, saving, writing};
 use crate::task::run;
 use crate::VoxelizeReport;
 use crate::{sys, Error, ErrorKind, Fill, Grid, Lattice, Mass, MeshFormat, SliceMut, Task, Topology};
@@ -168,12 +168,7 @@ impl Mesh {
     /// Reads a file: STL, OBJ, PLY or OFF, by its name, or else by its content.
     pub fn load(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
-        let file = File::open(path).map_err(|cause| {
-            let mut error = Error::new(ErrorKind::Io, format!("{}: {cause}", path.display()));
-            error.cause = Some(cause);
-            error
-        })?;
-        Mesh::read(file, MeshFormat::from_path(path)?)
+        Mesh::read(open(path)?, MeshFormat::from_path(path)?)
     }
 
     /// Writes a file: STL, OBJ or PLY, by its name; whole or not at all.
@@ -194,14 +189,6 @@ impl Mesh {
         grid.voxelize(self, Fill::Auto, task)?;
         Ok(grid)
     }
-}
-
-/// Elements of the library's arrays, which may have no address where there are none.
-unsafe fn elements<'a, T>(first: *const T, count: usize) -> &'a [T] {
-    if count == 0 {
-        return &[];
-    }
-    unsafe { std::slice::from_raw_parts(first, count) }
 }
 
 impl Drop for Mesh {

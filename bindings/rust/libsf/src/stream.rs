@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 use std::ffi::{c_void, CString};
+use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
@@ -116,6 +117,15 @@ pub(crate) fn saving(path: &Path, call: impl FnOnce(sys::sf_sink) -> sys::sf_sta
         return crate::error::check(status);
     }
     check_fault(unsafe { sys::sf_save_commit(save, &mut fault) }, &fault)
+}
+
+/// Opens a file to be read.
+pub(crate) fn open(path: &Path) -> Result<File> {
+    File::open(path).map_err(|cause| {
+        let mut error = Error::new(ErrorKind::Io, format!("{}: {cause}", path.display()));
+        error.cause = Some(cause);
+        error
+    })
 }
 
 /// A path as the C library takes it.
