@@ -63,34 +63,49 @@ mod records;
 
 #[cfg(feature = "ndarray")]
 mod array;
+mod cage;
+mod cage_build;
 mod caught;
 mod check;
 mod error;
 mod grid;
 mod lattice;
+mod limit;
 mod mesh;
 mod operators;
+mod paint;
 mod plain;
+mod property;
+mod refine;
 mod rule;
+mod sample;
 mod sculpt;
 mod session;
 mod slice;
 mod stream;
 mod task;
+mod tetra;
 mod tip;
 
+pub use cage::{Cage, CageView};
 pub use check::{CheckOptions, Checked, Checker, VoidsOptions};
 pub use error::{Error, Result};
 pub use grid::Grid;
 pub use lattice::Lattice;
+pub use limit::{Limit, Locator};
 pub use mesh::{Mesh, Voxelizer};
 pub use operators::{PreserveOptions, RepairOptions};
+pub use paint::{CageHistory, PaintBrush};
+pub use property::{Channel, Property};
 pub use records::*;
+pub use refine::Refinement;
 pub use rule::{Rule, Terms};
+pub use sample::{SampledSurface, Sampler};
 pub use sculpt::{Brush, Sculpt, SculptOptions, Stroke};
 pub use session::{Session, SessionOptions, StrokeOf};
 pub use slice::{slice_stride, Slice, SliceMut};
 pub use task::{Canceller, Task};
+pub use tetra::{Tets, TetsView};
 pub use tip::{Tip, TipRef};
 
 #[doc = words!(sf_version)]

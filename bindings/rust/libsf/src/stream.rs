@@ -99,10 +99,19 @@ pub(crate) fn reading<T: Read>(
 
 /// Makes a call that writes.
 pub(crate) fn writing<T: Write>(to: &mut T, call: impl FnOnce(sys::sf_sink) -> sys::sf_status) -> Result<()> {
+    writing_with(to, |sink, _| call(sink))
+}
+
+/// Makes a call that writes, and may say more.
+pub(crate) fn writing_with<T: Write>(
+    to: &mut T,
+    call: impl FnOnce(sys::sf_sink, &mut sys::sf_fault) -> sys::sf_status,
+) -> Result<()> {
     let stream = Stream::new(to);
     let user = (&stream as *const Stream<'_, T>).cast_mut().cast();
-    let status = call(sys::sf_sink { write: Some(write::<T>), user });
-    stream.finish(status, &crate::error::no_fault())
+    let mut fault = crate::error::no_fault();
+    let status = call(sys::sf_sink { write: Some(write::<T>), user }, &mut fault);
+    stream.finish(status, &fault)
 }
 
 /// Writes a file whole or not at all.
