@@ -62,7 +62,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    fn view(&self) -> sys::sf_mesh_view {
+    pub(crate) fn view(&self) -> sys::sf_mesh_view {
         unsafe { sys::sf_mesh_get_view(self.c.as_ptr()) }
     }
 
