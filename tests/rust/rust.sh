@@ -35,7 +35,8 @@ fi
 # Cargo writes beside what it builds, so it gets a copy; the sources stay where they are.
 rm -rf "$here/crates"
 cp -Rp "$source/bindings/rust" "$here/crates"
-for link in libsf-sys/vendor:libsf libsf-sys/LICENSE:LICENSE libsf/LICENSE:LICENSE; do
+for link in libsf-sys/vendor:libsf libsf-sys/LICENSE:LICENSE libsf/LICENSE:LICENSE \
+    libsf/tests/box3.json:tests/golden/box3.json; do
     rm -f "$here/crates/${link%:*}"
     ln -s "$source/${link#*:}" "$here/crates/${link%:*}"
     # A link that looks new would have all of libsf compiled again.
@@ -61,13 +62,14 @@ cp -p Cargo.lock "$here/Cargo.lock"
 grep '^vendor/' "$here/list" | sort | diff "$here/wanted" - >"$here/log" && [ -s "$here/wanted" ]
 same=$?
 "$cargo" package --list --allow-dirty -p libsf >"$here/list" 2>>"$here/log"
-(cd "$source/bindings/rust/libsf" && find . -name '*.rs') | sed 's:^\./::' | sort >"$here/wanted"
-grep '\.rs$' "$here/list" | sort | diff "$here/wanted" - >>"$here/log" && [ "$same" -eq 0 ]
+(cd "$source/bindings/rust/libsf" && find . -name '*.rs' -o -name '*.json') | sed 's:^\./::' | sort >"$here/wanted"
+grep '\.rs$\|\.json$' "$here/list" | sort | diff "$here/wanted" - >>"$here/log" && [ "$same" -eq 0 ]
 ok $? "every source is in the archives"
 
 "$cargo" test --offline --features libsf/ndarray >"$here/log" 2>&1 &&
     grep -q '^test c_and_rust_agree_on_every_number ... ok' "$here/log" &&
-    grep -q '^test a_trim_is_the_largest_part_that_stands ... ok' "$here/log"
+    grep -q '^test a_trim_is_the_largest_part_that_stands ... ok' "$here/log" &&
+    grep -q '^test shapes_come_to_what_three_languages_say ... ok' "$here/log"
 ok $? "the crates compile libsf, and their tests pass"
 
 RUSTDOCFLAGS='-D warnings' "$cargo" doc --offline --no-deps --features libsf/ndarray >"$here/log" 2>&1
