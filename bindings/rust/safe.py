@@ -9,13 +9,16 @@
 #     words!(sf_grid_trim: bed_layer)     the same, with what is said of these parameters
 #     words!(sf_terms.keep)               what is said of a field
 #     words!(sf_terms)                    what is said of a type
+#     words!(SF_DENSITY_BOX)              what is said of a value
 #
 # so that comments of the crate are those of the headers, and none is kept that nobody asks for.
 
 import os
 import re
 
-ENUMS = {"sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
+ENUMS = {"sf_carve_goal": "CarveGoal", "sf_carve_mode": "CarveMode", "sf_handle_kind": "HandleKind",
+         "sf_stance_kind": "StanceKind", "sf_stand_solver": "StandSolver", "sf_weights_method": "WeightsMethod",
+         "sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
          "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat",
          "sf_tip_shape": "TipShape", "sf_brush_kind": "BrushKind", "sf_session_step": "SessionStep",
          "sf_cage_format": "CageFormat", "sf_refine_rules": "RefineRules", "sf_falloff": "Falloff",
@@ -25,7 +28,10 @@ ENUMS = {"sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind"
          "sf_connectivity": "Connectivity", "sf_isa": "Isa"}
 # Values that are no error, or no value at all.
 PASSED_OVER = {"SF_OK", "SF_STATUS_COUNT", "SF_BRUSH_KIND_COUNT", "SF_ISA_COUNT"}
-STRUCTS = {"sf_sculpt_change": "SculptChange", "sf_sculpt_history": "SculptHistory",
+STRUCTS = {"sf_carve_report": "CarveReport", "sf_drain": "Drain", "sf_drain_report": "DrainReport",
+           "sf_orientation": "Orientation", "sf_printing_report": "PrintingReport",
+           "sf_stance_verdict": "StanceVerdict", "sf_stand_report": "StandReport",
+           "sf_weights_facts": "WeightsFacts", "sf_sculpt_change": "SculptChange", "sf_sculpt_history": "SculptHistory",
            "sf_session_counts": "SessionCounts", "sf_cage_report": "CageReport", "sf_cage_reading": "CageReading",
            "sf_cage_history_state": "CageHistoryState", "sf_limit_report": "LimitReport",
            "sf_sample_report": "SampleReport", "sf_tets_report": "TetsReport", "sf_diffusion": "Diffusion",
@@ -38,13 +44,21 @@ STRUCTS = {"sf_sculpt_change": "SculptChange", "sf_sculpt_history": "SculptHisto
            "sf_preserve_report": "PreserveReport", "sf_topology": "Topology", "sf_mass": "Mass",
            "sf_voxelize_report": "VoxelizeReport"}
 # Structs of plain numbers that stand in arrays: the same bytes in both languages, so that arrays need no copy.
-PLAIN = {"sf_dab": "Dab", "sf_voxel": "Voxel", "sf_run": "Run", "sf_crease": "Crease",
+PLAIN = {"sf_ballast": "Ballast", "sf_body": "Body", "sf_fold": "Fold", "sf_halfspace": "Halfspace", "sf_pose": "Pose",
+         "sf_pose_change": "PoseChange", "sf_rest": "Rest", "sf_transform": "Transform", "sf_dab": "Dab", "sf_voxel": "Voxel", "sf_run": "Run", "sf_crease": "Crease",
          "sf_sharp_point": "SharpPoint", "sf_place": "Place", "sf_skeleton_node": "SkeletonNode",
          "sf_skeleton_strut": "SkeletonStrut", "sf_curve_sample": "CurveSample",
          "sf_certificate_layer": "CertificateLayer", "sf_certificate_step": "CertificateStep",
          "sf_certificate_span": "CertificateSpan"}
+# Of these, what no zeros stand for.
+NOT_ZERO = {"sf_pose", "sf_transform"}
+# Structs of choices whose defaults the library knows. What of them leads elsewhere is said in other words.
+OPTIONS = {"sf_orient_options": "OrientOptions", "sf_stance_options": "StanceOptions",
+           "sf_stand_options": "StandOptions", "sf_weights_options": "WeightsOptions"}
+ELSEWHERE = {"ballast_count", "struct_size"}
 # Fields whose greatest number means that there is none.
-NONE = {"sf_check_report.bed_layer", "sf_finding.cause", "sf_void.vent_layer", "sf_voids_report.bed_layer",
+NONE = {"sf_printing_report.bed_layer", "sf_printing_report.floating_layer", "sf_printing_report.layer",
+        "sf_check_report.bed_layer", "sf_finding.cause", "sf_void.vent_layer", "sf_voids_report.bed_layer",
         "sf_steepest.layer", "sf_trim_report.bed_layer", "sf_grow_report.bed_layer",
         "sf_finding_cost.grow_voxels", "sf_repair_report.bed_layer", "sf_repair_report.trim_cost", "sf_repair_report.grow_cost"}
 # What callers hand in as well: they are turned back.
@@ -119,6 +133,10 @@ def sentence(api, asked):
         for thing in api[kind]:
             if thing["name"] == name:
                 return prose(thing["doc"], api)
+    for e in api["enums"]:
+        for v in e["values"]:
+            if v["name"] == name:
+                return linked(v["doc"][:1].upper() + v["doc"][1:] + ".", api)
     raise SystemExit(f"the headers say nothing of {name}")
 
 
@@ -176,11 +194,15 @@ def rust_name(f):
     return f["name"] + "_" if f["name"] == "box" else f["name"]
 
 
+def array_of(kind):
+    return f"[{array_of(kind['of'])}; {kind['count']}]" if kind["kind"] == "array" else NUMBERS[kind["name"]]
+
+
 def field(s, f):
     """Type of a field in Rust, and what makes it of the field of C."""
     kind, c = f["type"], f"c.{rust_name(f)}"
     if kind["kind"] == "array":
-        return f"[{NUMBERS[kind['of']['name']]}; {kind['count']}]", c
+        return f"[{array_of(kind['of'])}; {kind['count']}]", c
     if kind["kind"] == "enum":
         return ENUMS[kind["name"]], f"{ENUMS[kind['name']]}::of({c})"
     if kind.get("name") == "sf_wide":
@@ -197,10 +219,16 @@ def field(s, f):
     return number, c
 
 
+def has_floats(s, api):
+    """Whether there are numbers in it that are not equal to themselves."""
+    inner = {f["type"]["name"] for f in s["fields"] if f["type"]["kind"] == "struct"}
+    return any("f64" in field(s, f)[0] for f in s["fields"]) or any(
+        has_floats(part, api) for part in api["structs"] if part["name"] in inner)
+
+
 def struct(s, api):
     name = STRUCTS[s["name"]]
-    floats = any("f64" in field(s, f)[0] for f in s["fields"])
-    traits = "Clone, Copy, Debug, PartialEq" + ("" if floats else ", Eq, Hash")
+    traits = "Clone, Copy, Debug, PartialEq" + ("" if has_floats(s, api) else ", Eq, Hash")
     traits += ", Default" if s["name"] in BOTH_WAYS else ""
     text = f"{comment(s['doc'], api)}#[derive({traits})]\npub struct {name} {{\n"
     made = ""
@@ -219,10 +247,30 @@ def struct(s, api):
     return text + "}\n"
 
 
+def options(s, api):
+    """Choices that are plain values, filled by the library's defaults."""
+    name = OPTIONS[s["name"]]
+    fields = [f for f in s["fields"] if f["name"] not in ELSEWHERE and f["type"]["kind"] not in ("pointer", "callback")]
+    said = [(f, *field(s, f)) for f in fields]
+    text = f"{comment(s['doc'], api)}#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{\n"
+    text += "".join(f"{comment(f['doc'], api, '    ')}    pub {rust_name(f)}: {kind},\n" for f, kind, _ in said)
+    out = "".join(f"            {rust_name(f)}: {value},\n" for f, _, value in said)
+    back = ""
+    for f, kind, _ in said:
+        end = ".c()" if f["type"]["kind"] == "enum" else ".into()" if kind == "bool" else ""
+        back += f"        c.{rust_name(f)} = self.{rust_name(f)}{end};\n"
+    return (f"{text}}}\n\nimpl {name} {{\n    pub(crate) fn of(c: &sys::{s['name']}) -> {name} {{\n"
+            f"        {name} {{\n{out}        }}\n    }}\n\n    pub(crate) fn c(&self) -> sys::{s['name']} {{\n"
+            f"        let mut c = unsafe {{ sys::{s['default']}() }};\n{back}        c\n    }}\n}}\n\n"
+            f"impl Default for {name} {{\n    fn default() -> {name} {{\n"
+            f"        {name}::of(&unsafe {{ sys::{s['default']}() }})\n    }}\n}}\n")
+
+
 def plain(s, api):
     name = PLAIN[s["name"]]
     kinds = [field(s, f)[0] for f in s["fields"]]
-    traits = "Clone, Copy, Debug, Default, PartialEq" + ("" if any("f64" in k for k in kinds) else ", Eq, Hash")
+    traits = "Clone, Copy, Debug, " + ("" if s["name"] in NOT_ZERO else "Default, ") + "PartialEq"
+    traits += "" if any("f64" in k for k in kinds) else ", Eq, Hash"
     text = f"{comment(s['doc'], api)}#[repr(C)]\n#[derive({traits})]\npub struct {name} {{\n"
     for f, kind in zip(s["fields"], kinds):
         if kind not in NUMBERS.values() and not re.fullmatch(r"\[(\w+); \w+\]", kind):
@@ -242,6 +290,8 @@ def records(api):
             text += "\n" + struct(s, api)
         if s["name"] in PLAIN:
             text += "\n" + plain(s, api)
+        if s["name"] in OPTIONS:
+            text += "\n" + options(s, api)
     return text
 
 

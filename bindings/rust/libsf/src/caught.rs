@@ -34,7 +34,13 @@ impl Caught {
 
     /// Lets the panic go on, if there was one.
     pub(crate) fn resume(self) {
-        if let Ok(Some(panic)) = self.0.into_inner() {
+        self.pass_on();
+    }
+
+    /// The same of a place that serves one call after the other.
+    pub(crate) fn pass_on(&self) {
+        let panic = self.0.lock().map_or(None, |mut place| place.take());
+        if let Some(panic) = panic {
             resume_unwind(panic);
         }
     }

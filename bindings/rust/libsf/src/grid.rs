@@ -92,6 +92,11 @@ impl Grid {
         Ok(Grid { c: own(c)?, lattice: self.lattice.clone() })
     }
 
+    /// A new grid of C's.
+    pub(crate) fn of(c: NonNull<sys::sf_grid>, lattice: &Lattice) -> Grid {
+        Grid { c, lattice: lattice.clone() }
+    }
+
     /// A grid that belongs to something else, which it must not outlive, and which must not be changed
     /// through it.
     pub(crate) fn lent(c: *const sys::sf_grid, lattice: &Lattice) -> Result<ManuallyDrop<Grid>> {

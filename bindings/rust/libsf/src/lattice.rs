@@ -125,6 +125,17 @@ impl Lattice {
         (k <= self.nz()).then(|| unsafe { sys::sf_lattice_layer_bottom(&self.c(), k) })
     }
 
+    /// An array of the caller's as C takes it, if it has a number for each voxel.
+    pub(crate) fn each<T>(&self, given: Option<&[T]>, what: &str) -> Result<*const T> {
+        let Some(given) = given else { return Ok(std::ptr::null()) };
+        let (nz, ny, nx) = self.shape();
+        if Some(given.len()) != nz.checked_mul(ny).and_then(|n| n.checked_mul(nx)) {
+            let said = format!("{what}: {} numbers for {nz} layers of {ny} rows of {nx} voxels", given.len());
+            return Err(Error::new(ErrorKind::Shape, said));
+        }
+        Ok(given.as_ptr())
+    }
+
     /// A copy of one of C's.
     pub(crate) fn of(c: &sys::sf_lattice) -> Result<Lattice> {
         let heights_mm = (!c.heights_mm.is_null())

@@ -62,6 +62,12 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// A copy of triangles that belong to something else.
+    pub(crate) fn copied(view: sys::sf_mesh_view) -> Result<Mesh> {
+        let vertices = unsafe { elements(view.vertices.cast(), view.vertex_count) };
+        Mesh::new(vertices, unsafe { elements(view.triangles.cast(), view.triangle_count) })
+    }
+
     pub(crate) fn view(&self) -> sys::sf_mesh_view {
         unsafe { sys::sf_mesh_get_view(self.c.as_ptr()) }
     }

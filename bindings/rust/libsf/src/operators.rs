@@ -9,7 +9,7 @@ use std::ptr;
 
 use crate::error::{check, Result};
 use crate::task::{run, run_quietly};
-use crate::{sys, Error, ErrorKind, Grid, GrowReport, Lattice, PreserveMode, PreserveReport};
+use crate::{sys, ErrorKind, Grid, GrowReport, Lattice, PreserveMode, PreserveReport};
 use crate::{RepairReport, Steepest, Task, Terms, TrimReport, VoxelBox};
 
 /// What a call said, and where it could not be had, what is in the way, for which it is made again.
@@ -85,17 +85,6 @@ impl Default for PreserveOptions<'_> {
     }
 }
 
-/// Costs as C has them, if there is one for each voxel.
-fn costs(given: Option<&[u8]>, lattice: &Lattice, name: &str) -> Result<*const u8> {
-    let Some(given) = given else { return Ok(ptr::null()) };
-    let (nz, ny, nx) = lattice.shape();
-    if Some(given.len()) != nz.checked_mul(ny).and_then(|n| n.checked_mul(nx)) {
-        let said = format!("{name}: {} costs for {nz} layers of {ny} rows of {nx} voxels", given.len());
-        return Err(Error::new(ErrorKind::Shape, said));
-    }
-    Ok(given.as_ptr())
-}
-
 impl Grid {
     #[doc = words!(sf_grid_trim)]
     ///
@@ -139,7 +128,7 @@ impl Grid {
 
     #[doc = words!(sf_grid_grow)]
     ///
-    /// Where some voxels cannot be carried the error has them: [`Error::culprits`].
+    /// Where some voxels cannot be carried the error has them: [`Error::culprits`](crate::Error::culprits).
     pub fn grow<'t>(
         &mut self,
         terms: impl Into<Terms<'t>>,
@@ -157,7 +146,7 @@ impl Grid {
 
     #[doc = words!(sf_grid_repair)]
     ///
-    /// Where something must stay and cannot the error has it: [`Error::culprits`].
+    /// Where something must stay and cannot the error has it: [`Error::culprits`](crate::Error::culprits).
     pub fn repair<'t>(
         &mut self,
         terms: impl Into<Terms<'t>>,
@@ -168,8 +157,8 @@ impl Grid {
         let mut report: sys::sf_repair_report = unsafe { zeroed() };
         let mut c = unsafe { sys::sf_repair_options_default() };
         c.terms = placed.c;
-        c.add_cost = costs(options.add_cost, self.lattice(), "add_cost")?;
-        c.remove_cost = costs(options.remove_cost, self.lattice(), "remove_cost")?;
+        c.add_cost = self.lattice().each(options.add_cost, "add_cost")?;
+        c.remove_cost = self.lattice().each(options.remove_cost, "remove_cost")?;
         c.min_feature_vx = options.min_feature_vx;
         c.rounds = options.rounds;
         let grid = self.c_mut();
