@@ -26,6 +26,16 @@ static inline uint32_t sfi_lowest_bit(uint64_t w)
 #endif
 }
 
+// The same for 32 bits: one or two instructions on a processor that has no longer words.
+static inline uint32_t sfi_lowest_bit32(uint32_t w)
+{
+#if defined(__GNUC__)
+    return (uint32_t)__builtin_ctz(w);
+#else
+    return sfi_lowest_bit(w);
+#endif
+}
+
 // Index of the highest set bit of a word that has one.
 static inline uint32_t sfi_highest_bit(uint64_t w)
 {

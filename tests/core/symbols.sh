@@ -23,7 +23,7 @@ else
 fi
 
 wanted="sf_checker_size sf_checker_place sf_checker_push sf_checker_push_runs sf_checker_push_grey
-sf_checker_report sf_rule_element sf_slice_and_dilate sf_runs_label sf_status_message"
+sf_checker_report sf_chip_push sf_chip_save sf_chip_resume sf_rule_element sf_slice_and_dilate sf_runs_label sf_status_message"
 missing=$(printf '%s\n' $wanted | grep -vxF "$(printf '%s\n' "$defined" | sed 's/^_sf/sf/')")
 if [ -z "$missing" ]; then
     echo "ok 2 - holds what a checker needs"

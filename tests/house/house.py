@@ -28,7 +28,7 @@ LONGER_FUNCTIONS = {}
 FLOORS = {"base": 0, "simd": 1, "voxel": 2, "support": 3, "mesh": 3, "sculpt": 4, "balance": 4,
           "grade": 4, "orient": 4, "io": 5, "link": 5}
 # Rooms with more than one public header.
-HEADER_ROOMS = {"bend": "balance", "blend": "balance", "body": "balance", "cage": "grade", "cage_build": "grade", "cage_history": "grade", "cage_io": "io", "carve": "balance", "certificate": "support", "density": "balance", "exchange": "io", "finding": "support", "grid": "voxel", "grow": "support", "halftone": "grade", "handles": "balance", "layers": "io", "limit": "grade", "locate": "grade", "mixture": "grade", "paint": "grade", "preserve": "support", "printing": "balance", "property": "grade", "refine": "grade", "repair": "support", "rule": "support", "sample": "grade", "session": "io", "slice": "voxel", "stance": "balance", "stand": "balance", "tetra": "grade", "weights": "balance"}
+HEADER_ROOMS = {"bend": "balance", "blend": "balance", "body": "balance", "cage": "grade", "cage_build": "grade", "cage_history": "grade", "cage_io": "io", "carve": "balance", "certificate": "support", "chip": "support", "density": "balance", "exchange": "io", "finding": "support", "grid": "voxel", "grow": "support", "halftone": "grade", "handles": "balance", "layers": "io", "limit": "grade", "locate": "grade", "mixture": "grade", "paint": "grade", "preserve": "support", "printing": "balance", "property": "grade", "refine": "grade", "repair": "support", "rule": "support", "sample": "grade", "session": "io", "slice": "voxel", "stance": "balance", "stand": "balance", "tetra": "grade", "weights": "balance"}
 SHARED_CONTRACT = {"simd": ["voxel"]}
 
 # What libsf asks of the C library. No locale, no files, no printing, nothing that allocates unseen.

@@ -13,6 +13,7 @@
 #include <sf/cage_history.h>
 #include <sf/carve.h>
 #include <sf/certificate.h>
+#include <sf/chip.h>
 #include <sf/density.h>
 #include <sf/finding.h>
 #include <sf/grow.h>
