@@ -126,13 +126,18 @@ static uint32_t find(const uint32_t *row, uint32_t width, uint32_t from, uint32_
     return x < width ? x : width;
 }
 
-static void for_each_run(sf_chip *chip, const uint32_t *row,
-                         void (*take)(sf_chip *chip, uint32_t x0, uint32_t x1))
+// Count the runs of a row, or note them as findings. No function is handed over for it, so that how
+// deep the stack gets can be read off the calls.
+static void take_runs(sf_chip *chip, const uint32_t *row, int are_findings)
 {
     uint32_t x0 = find(row, chip->width, 0, 0);
     while (x0 < chip->width) {
         uint32_t x1 = find(row, chip->width, x0, ~UINT32_C(0));
-        take(chip, x0, x1);
+        if (are_findings) {
+            sfi_chip_note(chip, x0, x1);
+        } else {
+            sfi_chip_count(chip, x0, x1);
+        }
         x0 = find(row, chip->width, x1, 0);
     }
 }
@@ -141,7 +146,7 @@ void sfi_chip_dense_judge(sf_chip *chip)
 {
     const sfi_chip_dense *d = &chip->form.dense;
     uint32_t *old = d->slice + (size_t)chip->y * d->words;
-    for_each_run(chip, d->row, sfi_chip_count);
+    take_runs(chip, d->row, 0);
     if (!chip->is_on_bed) {
         if (chip->element != NULL) {
             carry(chip, d->rest);
@@ -151,7 +156,7 @@ void sfi_chip_dense_judge(sf_chip *chip)
         for (uint32_t i = 0; i < d->words; i++) {
             d->rest[i] = d->row[i] & ~d->rest[i];
         }
-        for_each_run(chip, d->rest, sfi_chip_note);
+        take_runs(chip, d->rest, 1);
     }
     if (chip->rule.reach > 0) {
         uint32_t *kept = d->saved + (size_t)(chip->y % chip->rule.reach) * d->words;
