@@ -294,6 +294,81 @@ static void failing_calls(void)
     }
 }
 
+// CRC-32 as the textbook has it, bit by bit, without the last complement.
+static uint32_t crc_of(const uint8_t *bytes, uint32_t size)
+{
+    uint32_t crc = ~UINT32_C(0);
+    for (uint32_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        for (int b = 0; b < 8; b++) {
+            crc = crc >> 1 ^ (crc & 1 ? UINT32_C(0xedb88320) : 0);
+        }
+    }
+    return crc;
+}
+
+static void set_number(uint8_t *bytes, uint32_t number)
+{
+    for (int i = 0; i < 4; i++) {
+        bytes[i] = (uint8_t)(number >> 8 * i);
+    }
+}
+
+static uint32_t number_at(const uint8_t *bytes)
+{
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+// The topmost layer, whatever the number that the state says it has.
+static sf_status decode_top(void *user, sf_chip *chip, uint32_t layer, uint32_t y)
+{
+    (void)layer;
+    return stack_decode(user, chip, LAYERS - 1, y);
+}
+
+// States whose checksums were forged: what cannot be one is refused, all else is safe to go on
+// from.
+static void forged(void)
+{
+    static disk states[2], spoilt;
+    prepare();
+    two_states(0, &states[0]);
+    two_states(1, &states[1]);
+    for (int round = 0; round < 6000; round++) {
+        int is_dense = round % 2;
+        sf_chip_finding findings[PLACES];
+        sf_chip *chip = place(1, is_dense, findings);
+        sf_chip_store store = store_of(&spoilt, chip);
+        spoilt = states[is_dense];
+        for (int slot = 0; slot < 2; slot++) {
+            uint8_t *head = spoilt.bytes + (size_t)slot * store.slot_size;
+            for (uint32_t i = test_random_below(4) + 1; i > 0; i--) {
+                uint32_t at =
+                    test_random_below(2) ? 6 + test_random_below(14) : 21 + test_random_below(60);
+                set_number(head + 4 * at, (uint32_t)test_random() >> test_random_below(32));
+            }
+            if (test_random_below(4) == 0) {
+                set_number(head + 12, test_random_below(store.slot_size / 4 - 20));
+            }
+            set_number(head + 16, crc_of(head + 84, 4 * number_at(head + 12)));
+            set_number(head + 80, crc_of(head, 80));
+        }
+        sf_status status = sf_chip_resume(chip, &store);
+        CHECK(status == SF_OK || status == SF_ERR_FORMAT);
+        for (int z = 0; status == SF_OK && z < 3; z++) {
+            sf_chip_counts counts;
+            CHECK_EQ(sf_chip_report(chip, &counts), SF_OK);
+            CHECK(counts.finding_count <= PLACES);
+            shape.form = AS_RUNS;
+            status = sf_chip_push(chip, decode_top, &shape);
+            CHECK(status == SF_OK || status == SF_ERR_OVERFLOW);
+        }
+        if (status == SF_OK) {
+            CHECK_EQ(sf_chip_save(chip, &store), SF_OK);
+        }
+    }
+}
+
 // An empty store, one that is too small, pointers that are none.
 static void refusals(void)
 {
@@ -336,6 +411,7 @@ int main(void)
     TEST(other_options);
     TEST(a_new_job);
     TEST(failing_calls);
+    TEST(forged);
     TEST(refusals);
     return test_finish();
 }
