@@ -23,6 +23,7 @@ from .cages import (Cage, CageFormat, CageHistory, Falloff, PaintOperation, Pain
 from .carving import (CarveGoal, CarveMode, Carved, Drained, carve, clearance, density, drain,
                       wall, wall_inside)
 from .certificates import Certificate, Operation, sha256
+from .contours import ContourFill, ContourLayer, ContourStack, layer_from_contours
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
@@ -49,7 +50,7 @@ __all__ = [
     "ArgumentError", "Balance", "Blend", "Border", "BrushKind", "Cage", "CageFormat",
     "CageHistory", "CancelledError", "CapacityError", "CarveGoal", "CarveMode", "Carved",
     "Certificate", "Change", "Channel", "Checked", "Checker", "Components", "Connectivity",
-    "Costs", "Curve", "Diffuser", "Drained", "Element", "Emitted", "Error", "Falloff",
+    "ContourFill", "ContourLayer", "ContourStack", "Costs", "Curve", "Diffuser", "Drained", "Element", "Emitted", "Error", "Falloff",
     "FileError", "Fill", "FormatError", "Grid", "Grown", "Handle", "HandleKind",
     "InfeasibleError", "InternalError", "Isa", "Landing", "Lattice", "Layer", "Limit",
     "Locator", "Mask", "MaskKind", "Material", "Mesh", "MeshFormat", "Mixture", "NO_PIECE",
@@ -61,7 +62,8 @@ __all__ = [
     "Trend", "Trimmed", "Unbent", "UnsupportedError", "Verdict", "Voids", "Voxelizer",
     "Weights", "WeightsMethod", "add_bodies", "ballast_body", "body", "brush_name", "carve",
     "center_of_mass", "check", "clearance", "complete", "costs", "cover", "culprits", "density",
-    "drain", "emit", "foot", "grow", "halftone", "handle_center", "known_property", "limit_isa",
+    "drain", "emit", "foot", "grow", "halftone", "handle_center", "known_property",
+    "layer_from_contours", "limit_isa",
     "load_stack", "material_uses", "orient", "place_handles", "preserve", "printing", "repair",
     "rest", "save_materials", "save_picture", "save_stack", "sha256", "stacks_are_png", "stand",
     "steepest", "surface", "trim", "unsupported", "update_trim", "voids", "voxelize", "wall",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Sequence, Union
+from typing import Any, Iterable, NamedTuple, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,7 @@ import numpy.typing as npt
 from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Landing, PreserveMode, RuleKind
+from .contours import ContourFill, c_contours
 from .layers import Element, Layer, c_runs
 from .voxel import Grid, Lattice, _lattice, grid_or_null
 
@@ -156,6 +157,7 @@ class Checker:
                  pitch_mm: float | tuple[float, float] = 1.0, layer_mm: float = 1.0,
                  bed_layer: int | None = None, findings: int = 1024) -> None:
         lattice = Lattice(width, height, 1, pitch_mm, layer_mm)  # type: ignore[arg-type]
+        self._lattice = lattice
         self._rule = _rule(rule, lattice)
         self._options, self._places = _check_options(self._rule, width, height, 0, bed_layer,
                                                      findings)
@@ -191,6 +193,14 @@ class Checker:
     def push_runs(self, runs: npt.NDArray[np.void]) -> None:
         """The next layer as runs, as `Layer.runs()` gives them."""
         ok(lib.sf_checker_push_runs(self._c, c_runs(runs), len(runs)))
+
+    @documented("sf_checker_push_contours")
+    def push_contours(self, polygons: Iterable[Any], fill: ContourFill = ContourFill.NONZERO) -> None:
+        """The next layer as closed polygons of points (n, 2), in mm from the corner of the first voxel."""
+        fault = _core.new_fault()
+        with _lattice(self._lattice) as c:
+            ok(lib.sf_checker_push_contours(self._c, c, c_contours(polygons).c, int(fill), ffi.NULL,
+                                            fault), fault)
 
     @documented("sf_checker_report")
     def report(self) -> Checked:

@@ -14,6 +14,7 @@
 #include <sf/carve.h>
 #include <sf/certificate.h>
 #include <sf/chip.h>
+#include <sf/contour.h>
 #include <sf/density.h>
 #include <sf/finding.h>
 #include <sf/grow.h>

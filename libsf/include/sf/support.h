@@ -18,6 +18,7 @@
 #ifndef SF_SUPPORT_H
 #define SF_SUPPORT_H
 
+#include <sf/contour.h>
 #include <sf/rule.h>
 
 #ifdef __cplusplus
@@ -277,6 +278,24 @@ SF_API SF_CHECKED sf_status sf_checker_push_runs(sf_checker *checker, const sf_r
  */
 SF_API SF_CHECKED sf_status sf_checker_push_grey(sf_checker *checker, const uint8_t *pixels,
                                                  size_t row_bytes, uint8_t threshold);
+
+/**
+ * Push the next layer as contours: closed polygons of <sf/contour.h>.
+ *
+ * @param checker    the checker
+ * @param lattice    of the checker's width and height; pitch and origin are looked at
+ * @param contours   the polygons
+ * @param fill       what is inside
+ * @param allocator  for drawing and for the layer's runs; NULL for the C library's
+ * @param fault      NULL, or filled where a point is refused
+ * @return as sf_slice_from_contours() and as sf_checker_push_runs().
+ * @cost as both.   @threads one per checker.   @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_checker_push_contours(sf_checker *checker, const sf_lattice *lattice,
+                                                     const sf_contours *contours,
+                                                     sf_contour_fill fill,
+                                                     const sf_allocator *allocator,
+                                                     sf_fault *fault);
 
 /**
  * Counts so far.

@@ -409,6 +409,12 @@ sf_status sf_checker_push_grey(sf_checker *checker, const uint8_t *pixels, size_
     return push(checker, &s);
 }
 
+void sfi_checker_extent(const sf_checker *checker, uint32_t *width, uint32_t *height)
+{
+    *width = checker->below.alive.width;
+    *height = checker->below.alive.height;
+}
+
 sf_status sf_checker_report(const sf_checker *checker, sf_check_report *report,
                             size_t *finding_count)
 {

@@ -80,4 +80,7 @@ void sfi_finder_name(sfi_finder *finder, const sfi_layer *layer);
 // finding.c: the next layer's turn; what was kept of this one is below it.
 void sfi_finder_advance(sfi_finder *finder);
 
+// check.c: width and height of the slices that a checker takes.
+void sfi_checker_extent(const sf_checker *checker, uint32_t *width, uint32_t *height);
+
 #endif
