@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The chip's checker on bytes that may be anything: a job, handed over by its decoder, and a saved
-// state that was damaged. Both forms must say the same of whatever is accepted, and what can be gone
-// on from must be safe. (tests/core/chip_state.c forges checksums as well.)
+// state that was damaged. Both forms must say the same of whatever is accepted, and what can be
+// gone on from must be safe. (tests/core/chip_state.c forges checksums as well.)
 
 #include "target.h"
 

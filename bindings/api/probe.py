@@ -17,6 +17,7 @@ HEAD = """// SPDX-License-Identifier: MIT
 
 #include <sf/cage_io.h>
 #include <sf/exchange.h>
+#include <sf/gltf.h>
 #include <sf/io.h>
 #include <sf/layers.h>
 #include <sf/session.h>

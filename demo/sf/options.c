@@ -271,7 +271,7 @@ int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made
 static const char *describe_input(const char *name)
 {
     if (strcmp(name, "MESH") == 0) {
-        return "\nA MESH is an STL, OBJ, PLY or OFF file.\n";
+        return "\nA MESH is an STL, OBJ, PLY, OFF or glTF (.glb) file.\n";
     }
     if (strcmp(name, "CAGE") == 0) {
         return "\nA CAGE is a mesh of cells with properties: legacy VTK, Medit .mesh or MFEM "
@@ -287,7 +287,7 @@ static const char *describe_input(const char *name)
                "else)."
                "\n";
     }
-    return "\nA FILE is an STL, OBJ, PLY or OFF mesh, a folder with a stack of pictures that "
+    return "\nA FILE is an STL, OBJ, PLY, OFF or glTF mesh, a folder with a stack of pictures that "
            "sf wrote,\nor scene:garden, a scene that the program makes itself.\n";
 }
 

@@ -28,7 +28,8 @@ output_kind output_kind_of(const char *path)
     }
     sf_mesh_format format = sf_mesh_format_from_name(path);
     if (format != SF_MESH_FORMAT_AUTO) {
-        return format == SF_MESH_FORMAT_OFF ? OUTPUT_UNKNOWN : OUTPUT_MESH;
+        // glTF is written as one binary file, which .gltf is not.
+        return format == SF_MESH_FORMAT_OFF || strlen(dot) == 5 ? OUTPUT_UNKNOWN : OUTPUT_MESH;
     }
     if (strcmp(dot, ".png") == 0) {
         return OUTPUT_PICTURE;
@@ -63,7 +64,7 @@ exit_status output_check(cli_job *job, int mesh_allowed)
     }
     return job_fail(job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
                     mesh_allowed
-                        ? "a mesh (.stl, .obj, .ply) or, for a name without extension or "
+                        ? "a mesh (.stl, .obj, .ply, .glb) or, for a name without extension or "
                           "with a slash at its end, a folder with a stack of pictures"
                         : "a folder with a stack of pictures; its name has no extension, or "
                           "a slash at its end");

@@ -4,6 +4,7 @@
 #include "part.h"
 
 #include "cages.h"
+#include "gltf_input.h"
 #include "inner.h"
 #include "lattice.h"
 #include "progress.h"
@@ -40,6 +41,9 @@ exit_status part_load_mesh(cli_job *job, const char *path, sf_mesh **mesh)
 {
     sf_file *file = NULL;
     sf_fault fault = {SF_OK, 0, 0, ""};
+    if (gltf_looks_like(path)) {
+        return gltf_load_mesh(job, path, mesh);
+    }
     sf_status status = sf_file_open(path, NULL, &file, &fault);
     if (status != SF_OK) {
         return job_fail_call(job, status, &fault, path, EXIT_INPUT);
@@ -93,6 +97,14 @@ static exit_status place(cli_job *job, part *p)
     }
     if ((asked->given & (OPTION_UNITS | OPTION_SCALE | OPTION_SIZE)) == 0 &&
         (longest < 5 || longest > 1000)) {
+        if (gltf_looks_like(asked->input)) {
+            job_warn(
+                job,
+                "The part is %.4g mm long, because glTF is in metres; if its numbers are meant "
+                "as mm, say --scale 0.001, else --size.",
+                longest);
+            return EXIT_GOOD;
+        }
         job_warn(job,
                  "The part is %.4g mm long, taking its unit for mm; if it is meant larger or "
                  "smaller, say --units, --scale or --size.",
@@ -104,6 +116,11 @@ static exit_status place(cli_job *job, part *p)
 static exit_status read_mesh(cli_job *job, part *p)
 {
     p->kind = PART_MESH;
+    if ((job->options.given & OPTION_UNITS) != 0 && gltf_looks_like(job->options.input)) {
+        return job_fail(job, EXIT_USAGE,
+                        "glTF is in metres, so leave out --units; --scale 0.001 takes its numbers "
+                        "for mm.");
+    }
     exit_status status = part_load_mesh(job, job->options.input, &p->mesh);
     return status == EXIT_GOOD ? place(job, p) : status;
 }

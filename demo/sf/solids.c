@@ -8,6 +8,7 @@
 #include "solids.h"
 
 #include "cages.h"
+#include "child.h"
 #include "progress.h"
 
 #include <sf/exchange.h>
@@ -17,16 +18,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#define SOLIDS_HAVE_CHILDREN 1
-#endif
-
-enum { CHILD_SECONDS = 60 };
-static const size_t MOST_BYTES = (size_t)1 << 31;
 
 void solids_release(solid_input *s)
 {
@@ -40,36 +31,6 @@ void solids_release(solid_input *s)
 // Exchange files
 // ---------------------------------------------------------------------------------------------
 
-static exit_status read_all(cli_job *job, unsigned char **bytes, size_t *size)
-{
-    sf_file *file = NULL;
-    sf_fault fault = {SF_OK, 0, 0, ""};
-    const char *path = job->options.input;
-    sf_status status = sf_file_open(path, NULL, &file, &fault);
-    if (status != SF_OK) {
-        return job_fail_call(job, status, &fault, path, EXIT_INPUT);
-    }
-    sf_source source = sf_file_source(file);
-    size_t room = 0, got = 1;
-    while (status == SF_OK && got > 0 && *size <= MOST_BYTES) {
-        if (room - *size < 65536) {
-            room = room < 65536 ? 1 << 20 : 2 * room;
-            unsigned char *larger = realloc(*bytes, room);
-            status = larger == NULL ? SF_ERR_MEMORY : SF_OK;
-            *bytes = larger == NULL ? *bytes : larger;
-        }
-        if (status == SF_OK) {
-            status = source.read(source.user, *bytes + *size, 65536, &got);
-            *size += got;
-        }
-    }
-    sf_file_close(file);
-    if (*size > MOST_BYTES) {
-        return job_fail(job, EXIT_INPUT, "%s is larger than 2 GiB.", path);
-    }
-    return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, path, EXIT_INPUT);
-}
-
 static sf_status read_exchange(const unsigned char *bytes, size_t size, sf_tets **tets,
                                sf_fault *fault)
 {
@@ -77,27 +38,19 @@ static sf_status read_exchange(const unsigned char *bytes, size_t size, sf_tets 
     return sf_exchange_read(sf_memory_source(&cursor), 0, NULL, tets, fault);
 }
 
-// Whether a child lives through reading the bytes, whatever it finds.
-static int survives(const unsigned char *bytes, size_t size)
+typedef struct trial {
+    const unsigned char *bytes;
+    size_t size;
+} trial;
+
+// Whatever a child finds in the bytes, it need only live through them.
+static int try_exchange(void *context)
 {
-#ifdef SOLIDS_HAVE_CHILDREN
-    int status = 0;
-    fflush(NULL);
-    pid_t child = fork();
-    if (child == 0) {
-        struct rlimit seconds = {CHILD_SECONDS, CHILD_SECONDS};
-        sf_tets *tets = NULL;
-        setrlimit(RLIMIT_CPU, &seconds);
-        (void)!freopen("/dev/null", "w", stderr);
-        (void)read_exchange(bytes, size, &tets, NULL);
-        _exit(0);
-    }
-    return child < 0 || (waitpid(child, &status, 0) == child && WIFEXITED(status));
-#else
-    (void)bytes;
-    (void)size;
-    return 1;
-#endif
+    const trial *t = context;
+    sf_tets *tets = NULL;
+    (void)read_exchange(t->bytes, t->size, &tets, NULL);
+    sf_tets_destroy(tets);
+    return 0;
 }
 
 static exit_status read_tets(cli_job *job, sf_tets **tets)
@@ -106,8 +59,9 @@ static exit_status read_tets(cli_job *job, sf_tets **tets)
     size_t size = 0;
     sf_fault fault = {SF_OK, 0, 0, ""};
     progress_phase("reading");
-    exit_status status = read_all(job, &bytes, &size);
-    if (status == EXIT_GOOD && sf_exchange_is_served() && !survives(bytes, size)) {
+    exit_status status = child_read_bytes(job, job->options.input, &bytes, &size);
+    trial t = {bytes, size};
+    if (status == EXIT_GOOD && sf_exchange_is_served() && !child_survives(try_exchange, &t)) {
         status =
             job_fail(job, EXIT_INPUT, "%s is damaged so badly that the library for HDF5 fails.",
                      job->options.input);

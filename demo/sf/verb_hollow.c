@@ -175,7 +175,8 @@ static exit_status check(cli_job *job)
                         "'sf hollow' needs --wall MM, which says how thick the wall is to be.");
     }
     if (asked->cavity != NULL && output_kind_of(asked->cavity) != OUTPUT_MESH) {
-        return job_fail(job, EXIT_USAGE, "--cavity %s: a mesh's name ends in .stl, .obj or .ply.",
+        return job_fail(job, EXIT_USAGE,
+                        "--cavity %s: a mesh's name ends in .stl, .obj, .ply or .glb.",
                         asked->cavity);
     }
     if (asked->picture != NULL && output_kind_of(asked->picture) != OUTPUT_PICTURE) {

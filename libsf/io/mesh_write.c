@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes out: binary STL, OBJ, binary little-endian PLY.
+// Meshes out: binary STL, OBJ, binary little-endian PLY (binary glTF has a file of its own).
 //
 // OBJ and PLY keep every bit of every coordinate: OBJ by the fewest digits that read back as the
 // same double, PLY by doubles. STL has floats, because every reader of it expects them, and no
@@ -7,7 +7,7 @@
 // doubles round to equal floats. All that can be wrong with a mesh is found before the first byte
 // is written.
 
-#include <sf/io.h>
+#include <sf/gltf.h>
 
 #include "base/status.h"
 #include "io/emitter.h"
@@ -115,11 +115,14 @@ static void write_ply(sf_mesh_view mesh, sfi_emitter *out)
 
 sf_status sf_mesh_write(sf_mesh_view mesh, sf_mesh_format format, sf_sink sink)
 {
-    static void (*const writers[])(sf_mesh_view, sfi_emitter *) = {NULL, write_stl, write_obj,
-                                                                   write_ply, NULL};
+    static void (*const writers[])(sf_mesh_view, sfi_emitter *) = {
+        NULL, write_stl, write_obj, write_ply, NULL, NULL, NULL};
     if (sink.write == NULL || format == SF_MESH_FORMAT_AUTO ||
-        (unsigned)format > SF_MESH_FORMAT_OFF) {
+        (unsigned)format > SF_MESH_FORMAT_GLTF) {
         return SF_ERR_ARGUMENT;
+    }
+    if (format == SF_MESH_FORMAT_GLTF) {
+        return sf_gltf_write(mesh, NULL, sink);
     }
     if (writers[format] == NULL) {
         return SF_ERR_UNSUPPORTED;

@@ -118,6 +118,9 @@ static sf_mesh_format sniff(sfi_cursor *cursor)
     if (sfi_off_begins(bytes, have)) {
         return SF_MESH_FORMAT_OFF;
     }
+    if (sfi_gltf_begins(bytes, have)) {
+        return SF_MESH_FORMAT_GLTF;
+    }
     if (sfi_stl_is_text(cursor) || !sfi_cursor_at_text(cursor)) {
         return SF_MESH_FORMAT_STL;
     }
@@ -138,7 +141,6 @@ static const char *foreign(sfi_cursor *cursor)
     static const char *const known[][2] = {
         {"PK\003\004",
          "this is a 3MF or another zip archive; save the part as STL, OBJ, PLY or OFF"},
-        {"glTF", "this is glTF; save the part as STL, OBJ, PLY or OFF"},
         {"ISO-10303-21", "this is STEP, which has no triangles; export the part as STL or OBJ"},
         {"\211PNG", "this is a picture; a stack of pictures is named by its folder"},
     };
@@ -163,6 +165,8 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
         return sfi_ply_read(reader);
     case SF_MESH_FORMAT_OFF:
         return sfi_off_read(reader);
+    case SF_MESH_FORMAT_GLTF:
+        return sfi_gltf_read(reader);
     case SF_MESH_FORMAT_AUTO:
         break;
     }
@@ -195,7 +199,7 @@ static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)
 sf_status sf_mesh_read(sf_source source, sf_mesh_format format, const sf_read_limits *limits,
                        const sf_allocator *allocator, sf_mesh **mesh, sf_fault *fault)
 {
-    if (mesh == NULL || source.read == NULL || (unsigned)format > SF_MESH_FORMAT_OFF) {
+    if (mesh == NULL || source.read == NULL || (unsigned)format > SF_MESH_FORMAT_GLTF) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "no source, no place for the mesh");
     }
     sfi_cursor cursor;

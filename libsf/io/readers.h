@@ -22,6 +22,7 @@ sf_status sfi_stl_read(sfi_mesh_reader *reader);
 sf_status sfi_obj_read(sfi_mesh_reader *reader);
 sf_status sfi_ply_read(sfi_mesh_reader *reader);
 sf_status sfi_off_read(sfi_mesh_reader *reader);
+sf_status sfi_gltf_read(sfi_mesh_reader *reader);
 
 // Append a vertex: finite and within the limits, or a fault at the cursor's place.
 sf_status sfi_reader_vertex(sfi_mesh_reader *reader, const double xyz[3]);
@@ -37,8 +38,10 @@ sf_status sfi_reader_polygon(sfi_mesh_reader *reader);
 // The next token as a number, on this line only or (lines != 0) anywhere.
 sf_status sfi_reader_number(sfi_mesh_reader *reader, double *value, int lines);
 
-// Whether the bytes ahead look like ASCII STL; whether these bytes begin an OFF file.
+// Whether the bytes ahead look like ASCII STL; whether these bytes begin an OFF file, or binary
+// glTF.
 int sfi_stl_is_text(sfi_cursor *cursor);
 int sfi_off_begins(const unsigned char *bytes, size_t have);
+int sfi_gltf_begins(const unsigned char *bytes, size_t have);
 
 #endif

@@ -28,7 +28,7 @@ LONGER_FUNCTIONS = {}
 FLOORS = {"base": 0, "simd": 1, "voxel": 2, "support": 3, "mesh": 3, "sculpt": 4, "balance": 4,
           "grade": 4, "orient": 4, "io": 5, "link": 5}
 # Rooms with more than one public header.
-HEADER_ROOMS = {"bend": "balance", "blend": "balance", "body": "balance", "cage": "grade", "cage_build": "grade", "cage_history": "grade", "cage_io": "io", "carve": "balance", "certificate": "support", "chip": "support", "contour": "voxel", "density": "balance", "exchange": "io", "finding": "support", "grid": "voxel", "grow": "support", "halftone": "grade", "handles": "balance", "layers": "io", "limit": "grade", "locate": "grade", "mixture": "grade", "paint": "grade", "preserve": "support", "printing": "balance", "property": "grade", "refine": "grade", "repair": "support", "rule": "support", "sample": "grade", "session": "io", "slice": "voxel", "stance": "balance", "stand": "balance", "tetra": "grade", "weights": "balance"}
+HEADER_ROOMS = {"bend": "balance", "blend": "balance", "body": "balance", "cage": "grade", "cage_build": "grade", "cage_history": "grade", "cage_io": "io", "carve": "balance", "certificate": "support", "chip": "support", "contour": "voxel", "density": "balance", "exchange": "io", "finding": "support", "gltf": "io", "grid": "voxel", "grow": "support", "halftone": "grade", "handles": "balance", "layers": "io", "limit": "grade", "locate": "grade", "mixture": "grade", "paint": "grade", "preserve": "support", "printing": "balance", "property": "grade", "refine": "grade", "repair": "support", "rule": "support", "sample": "grade", "session": "io", "slice": "voxel", "stance": "balance", "stand": "balance", "tetra": "grade", "weights": "balance"}
 SHARED_CONTRACT = {"simd": ["voxel"]}
 
 # What libsf asks of the C library. No locale, no files, no printing, nothing that allocates unseen.
@@ -373,8 +373,8 @@ def check_lists():
             os.path.join(SOURCE, folder, "meson.build")) else ""
         if f"'{name}'" not in text and f"'{name[:-2]}'" not in text:
             bad.append(f"{path} is in no meson.build")
-    installed = set(re.findall(r"include/(sf/\w+\.h)", read("libsf/package/meson.build")))
-    bad += [f"{h} is not installed" for h in HEADERS if h.removeprefix("libsf/include/") not in installed]
+    installed = set(re.findall(r"'(\w+)'", read("libsf/include/meson.build")))
+    bad += [f"{h} is not installed" for h in HEADERS if os.path.basename(h)[:-2] not in installed]
     return bad
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Why: what somebody else's program looks like. It must compile and run against nothing but what is
-// installed: both headers, a function of each library.
+// installed: both headers, a function of each library, and the reader that brings all that files
+// need.
 #include <sf/io.h>
 #include <sf/sf.h>
 
@@ -20,6 +21,12 @@ int main(void)
         return 1;
     }
     sf_grid_destroy(grid);
+    sf_memory_cursor none = {"glTF", 4, 0};
+    sf_mesh *mesh = NULL;
+    if (sf_mesh_read(sf_memory_source(&none), SF_MESH_FORMAT_AUTO, NULL, NULL, &mesh, NULL) ==
+        SF_OK) {
+        return 1; // four bytes are no part
+    }
     printf("libsf %s keeps %d of 65, format %d\n", sf_version(), (int)report.kept_voxels,
            (int)sf_mesh_format_from_name("part.stl"));
     return report.kept_voxels != 10 || sf_mesh_format_from_name("part.stl") != SF_MESH_FORMAT_STL;

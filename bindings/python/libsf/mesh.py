@@ -112,7 +112,7 @@ class Mesh:
     def load(cls, of: _files.Readable, *, format: MeshFormat | str | None = None,
              bytes_max: int | None = None, triangles_max: int | None = None,
              vertices_max: int | None = None) -> Mesh:
-        """Read STL, OBJ, PLY or OFF, by content and name: a path, bytes, or a file that is open."""
+        """Read STL, OBJ, PLY, OFF or, in a build with it, glTF: a path, bytes, or a file that is open."""
         limits = _core.options("sf_read_limits", bytes_max=bytes_max, triangles_max=triangles_max,
                                vertices_max=vertices_max)
         fault, made = _core.new_fault(), ffi.new("sf_mesh **")
@@ -122,13 +122,34 @@ class Mesh:
         return cls._of(made[0])
 
     @documented("sf_mesh_write")
-    def save(self, to: _files.Writable, format: MeshFormat | str | None = None) -> None:
-        """Write STL, OBJ or PLY: by the ending of a path, or in a format that is named."""
+    def save(self, to: _files.Writable, format: MeshFormat | str | None = None, *,
+             colors: npt.ArrayLike | None = None) -> None:
+        """Write STL, OBJ, PLY or GLB: by the ending of a path, or in a format that is named.
+
+        colors, for GLB only: red, green and blue of each vertex, 0 to 255, as a screen shows them.
+        """
         kind = _format_of(to, format)
         if kind in (MeshFormat.AUTO, MeshFormat.OFF):
-            raise ValueError(f"{to}: give a name that ends in .stl, .obj or .ply, or a format")
+            raise ValueError(f"{to}: give a name that ends in .stl, .obj, .ply or .glb, or a format")
+        if colors is not None:
+            self._save_colored(to, kind, np.asarray(colors))
+            return
         with _files.sink(to) as sink:
             ok(lib.sf_mesh_write(self._view, int(kind), sink))
+
+    @documented("sf_gltf_write")
+    def _save_colored(self, to: _files.Writable, kind: MeshFormat, colors: Any) -> None:
+        """Write GLB with a colour for each vertex."""
+        shape = (self._view.vertex_count, 3)
+        if kind != MeshFormat.GLTF:
+            raise ValueError("colors: only GLB has them; give a name that ends in .glb")
+        if colors.dtype != np.uint8:
+            raise TypeError(f"colors: they are {colors.dtype}, and uint8 is needed")
+        if colors.shape != shape:
+            raise ValueError(f"colors: their shape is {colors.shape}, and {shape} is needed")
+        colors = np.ascontiguousarray(colors)
+        with _files.sink(to) as sink:
+            ok(lib.sf_gltf_write(self._view, ffi.from_buffer("uint8_t[]", colors), sink))
 
     @documented("sf_mesh_merge")
     def merged(self) -> Mesh:

@@ -49,6 +49,26 @@ class Meshes(unittest.TestCase):
         self.assertAlmostEqual(mesh.measure().volume_mm3, ball.volume)
         self.assertAlmostEqual(mesh.to_trimesh().volume, ball.volume)
 
+    def test_colours_in_glb(self):
+        colors = np.arange(24, dtype=np.uint8).reshape(8, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "box.glb")
+            box(2, 3, 5).save(path, colors=colors)
+            with open(path, "rb") as file:
+                data = file.read()
+            self.assertTrue(data.startswith(b"glTF") and b"COLOR_0" in data)
+            with self.assertRaises(ValueError):
+                box(2, 3, 5).save(os.path.join(folder, "box.stl"), colors=colors)
+            with self.assertRaises(ValueError):
+                box(2, 3, 5).save(path, colors=colors[:7])
+            with self.assertRaises(TypeError):
+                box(2, 3, 5).save(path, colors=colors.astype(float))
+            try:
+                back = libsf.Mesh.load(path)
+            except libsf.UnsupportedError:
+                self.skipTest("this build does not read glTF")
+            self.assertAlmostEqual(back.measure().volume_mm3, 30)
+
     def test_voxels_of_a_box(self):
         lattice = libsf.Lattice(12, 12, 12, 0.5, 0.5, (-1, -1, -1))
         array = libsf.voxelize(box(2, 3, 4), lattice).array()
