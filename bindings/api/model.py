@@ -36,7 +36,8 @@ def read_all(source):
             visit(other, above | {name})
         done[name] = text, headers.read_header(name, text, known)
 
-    for name in sorted(os.listdir(os.path.join(source, FOLDER, "sf"))):
+    # Adapters (sf/link) are libraries of their own, which no binding is linked to.
+    for name in sorted(n for n in os.listdir(os.path.join(source, FOLDER, "sf")) if n.endswith(".h")):
         visit(f"sf/{name}", set())
     return done
 

@@ -100,14 +100,25 @@ def exported(library):
     return defined, wanted
 
 
+def library_of(header):
+    """The library that a public header belongs to: sf, sf-io, or an adapter of the header's name."""
+    if room_of(header) == "link":
+        return "sf-" + os.path.basename(header)[:-2]
+    return "sf-io" if room_of(header) == "io" else "sf"
+
+
+def library_named(path):
+    """libsf-io.so.0.1.0 is sf-io."""
+    return os.path.basename(path).removeprefix("lib").split(".")[0]
+
+
 def check_exports():
     """The libraries export what the public headers declare, no more and no less."""
     if not LIBRARIES:
         return "skip: there are no shared libraries to look into"
     bad = []
     for library in LIBRARIES:
-        is_io = "sf-io" in os.path.basename(library)
-        declared = {f.name for f in FUNCTIONS if (room_of(f.header) == "io") == is_io}
+        declared = {f.name for f in FUNCTIONS if library_of(f.header) == library_named(library)}
         defined, _ = exported(library)
         name = os.path.basename(library)
         bad += [f"{name} exports {s}, which no public header declares" for s in defined - declared]
@@ -118,7 +129,7 @@ def check_exports():
 
 def check_libc():
     """The core asks of the C library only what the house allows."""
-    core = [l for l in LIBRARIES if "sf-io" not in os.path.basename(l)]
+    core = [l for l in LIBRARIES if library_named(l) == "sf"]
     if not core:
         return "skip: there is no shared library to look into"
     _, wanted = exported(core[0])
@@ -335,6 +346,8 @@ def check_format():
 
 def room_of(path):
     """The room that a file of libsf, or a header named in an #include, belongs to."""
+    if re.match(r"(?:libsf/)?(?:include/)?sf/link/", path):
+        return "link"
     match = re.match(r"(?:libsf/)?(?:include/)?sf/(\w+)\.h$", path)
     if match:
         return HEADER_ROOMS.get(match.group(1), match.group(1))
@@ -374,7 +387,10 @@ def check_lists():
         if f"'{name}'" not in text and f"'{name[:-2]}'" not in text:
             bad.append(f"{path} is in no meson.build")
     installed = set(re.findall(r"'(\w+)'", read("libsf/include/meson.build")))
-    bad += [f"{h} is not installed" for h in HEADERS if os.path.basename(h)[:-2] not in installed]
+    adapters = read("libsf/link/meson.build") if os.path.exists(os.path.join(SOURCE, "libsf/link/meson.build")) else ""
+    installed |= set(re.findall(r"include/sf/(link/\w+)\.h", adapters))
+    bad += [f"{h} is not installed" for h in HEADERS
+            if h.removeprefix("libsf/include/sf/").removesuffix(".h") not in installed]
     return bad
 
 
