@@ -52,7 +52,12 @@ by_pkg_config() {
         $compiler "$source/consumer.c" -o "$here/$1/consumer" \
             $(pkg-config $flags --cflags --libs libsf-io libsf) || exit 1
         [ $1 = static ] || export LD_LIBRARY_PATH="$PWD" DYLD_LIBRARY_PATH="$PWD"
-        "$here/$1/consumer"
+        "$here/$1/consumer" || exit 1
+        # The same in C++, where there is one.
+        command -v c++ >/dev/null || exit 0
+        c++ -x c++ "$source/consumer.c" -x none -o "$here/$1/consumer++" \
+            $(pkg-config $flags --cflags --libs libsf-io libsf) || exit 1
+        "$here/$1/consumer++"
     ) >"$here/log" 2>&1
 }
 
