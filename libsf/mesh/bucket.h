@@ -24,13 +24,13 @@ sf_status sfi_buckets_create(const sfi_frame *frame, const sfi_skin *skin, sfi_r
                              const sf_allocator *allocator, sfi_buckets *buckets);
 void sfi_buckets_destroy(sfi_buckets *buckets, const sf_allocator *allocator);
 
-// Triangles of the slab that holds layer k.
+// Triangles of the slab that holds layer k; NULL where there are none.
 static inline const uint32_t *sfi_buckets_slab(const sfi_buckets *buckets, uint32_t k,
                                                size_t *count)
 {
     uint32_t slab = k / buckets->layers;
     *count = buckets->offsets[slab + 1] - buckets->offsets[slab];
-    return buckets->items + buckets->offsets[slab];
+    return *count > 0 ? buckets->items + buckets->offsets[slab] : NULL;
 }
 
 #endif

@@ -164,6 +164,19 @@ def are_bound(api):
     return bad
 
 
+def are_fuzzed(api):
+    """Every function is called by a fuzz target, or fuzz/shapes.txt says why it is not"""
+    sys.argv = ["calls.py", SOURCE, "--table"]
+    sys.path.insert(0, os.path.join(SOURCE, "fuzz"))
+    import calls as fuzz
+    found = fuzz.table()
+    bad = [f"no fuzz target calls {n}, and fuzz/shapes.txt gives no reason" for n in sorted(found)
+           if not found[n] and not fuzz.SHAPES.left.get(n)]
+    bad += [f"fuzz/shapes.txt leaves out {n}, which a target calls" for n in sorted(fuzz.SHAPES.left) if found.get(n)]
+    bad += [f"fuzz/shapes.txt has to say how much is behind {key}" for key in fuzz.unsaid()]
+    return bad + [f"fuzz/shapes.txt speaks of {key}, which there is not" for key in fuzz.stale()]
+
+
 def spoil(tree, header, before, after):
     """Headers of a project in which one of them is another; whether that is found in it."""
     path = os.path.join(tree, "libsf", "include", "sf", header + ".h")
@@ -200,7 +213,7 @@ def main():
     api = model.build(SOURCE)
     checks = [(is_current.__doc__, is_current()), (is_whole.__doc__, is_whole(api)),
               (formats_are_kept.__doc__, formats_are_kept(api)), (are_called.__doc__, are_called(api)),
-              (are_bound.__doc__, are_bound(api)), (rules_bite.__doc__, rules_bite())]
+              (are_bound.__doc__, are_bound(api)), (are_fuzzed.__doc__, are_fuzzed(api)), (rules_bite.__doc__, rules_bite())]
     checks += [(rule.__doc__, rule(api)) for rule in rules.RULES]
     for number, (what, bad) in enumerate(checks, 1):
         if isinstance(bad, str):

@@ -147,6 +147,7 @@ static int hunt_within(hunt *h, double reach, int split)
     h->piece = SF_NO_PIECE;
     h->search.reach2 = reach * reach;
     h->search.split = split;
+    h->search.left = SFI_SEARCH_PARTS;
     sfi_boxes_visit(&h->j->locator->boxes, h->search.point, &h->search.reach2, look_into, h);
     return h->piece != SF_NO_PIECE;
 }

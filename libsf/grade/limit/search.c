@@ -148,6 +148,10 @@ static int search_spline(sfi_search *s, const sfi_spline *spline, const part *p)
     if (sfi_box_distance2(&box, s->point) > s->reach2) {
         return 0;
     }
+    if (s->left == 0) {
+        return 1;
+    }
+    s->left--;
     if (newton(s, spline, p)) {
         return 1;
     }
@@ -172,6 +176,10 @@ static int search_ring(sfi_search *s, uint32_t kind, const double *values, const
     if (sfi_box_distance2(&box, s->point) > s->reach2) {
         return 0;
     }
+    if (s->left == 0) {
+        return 1;
+    }
+    s->left--;
     if (k->is_regular) {
         sfi_spline spline;
         sfi_spline_gather(&k->net, 3, 3, values, &spline);

@@ -15,14 +15,20 @@ typedef struct sfi_search {
     int split;       // whether splines are cut where a few steps of Newton do not get there
     double *scratch; // sfi_search_scratch() numbers
     double u[3];     // the best place, in the piece where it was found
+    uint32_t left;   // parts that may still be looked into; with none left the search ends
     int found;       // whether there is one within reach since the last look
 } sfi_search;
+
+// Parts that one search may look into. Hundreds are many where a shape is a solid; where it is
+// folded flat all parts of a whole plane of it can be equally near, and there is no end to halving
+// them.
+enum { SFI_SEARCH_PARTS = 1 << 13 };
 
 // Numbers of scratch that a search needs.
 size_t sfi_search_scratch(const sfi_atlas *atlas);
 
 // Look in a piece of a kind, of which the ring's positions are given. Returns 1 when a place is
-// close enough.
+// close enough, or no more parts may be looked into.
 int sfi_search_piece(sfi_search *search, uint32_t kind, const double *values);
 
 #endif

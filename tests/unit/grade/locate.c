@@ -122,6 +122,27 @@ static void outside_the_nearest_is_found_within_reach(void)
     test_cage_free(&c);
 }
 
+// A solid that is folded onto a line: every point of that is the same in a whole plane of
+// parameters, Newton's method has nowhere to go, and halving has no end. The search has one.
+static void what_is_folded_flat_takes_no_for_an_answer(void)
+{
+    test_cage c = kind_of(0);
+    for (size_t i = 0; i < c.points; i++) {
+        c.positions[3 * i + 1] = c.positions[3 * i + 2] = 0;
+    }
+    sf_limit *limit = limit_of(&c, SF_REFINE_STANDARD);
+    sf_locator *locator = locator_of(limit);
+    for (int i = 0; i < 5; i++) {
+        sf_place place = {77, {0, 0, 0}};
+        const double x[3] = {0.7123 + 0.3 * i, 0, 0};
+        CHECK_EQ(sf_locator_find(locator, 1, x, 0.1, NULL, NULL, &place, NULL), SF_OK);
+        CHECK(place.piece != 77);
+    }
+    sf_locator_destroy(locator);
+    sf_limit_destroy(limit);
+    test_cage_free(&c);
+}
+
 static void what_cannot_be_asked_is_refused(void)
 {
     test_cage c = kind_of(0), flat = test_cage_begin(2, 4, 1, 4);
@@ -170,6 +191,7 @@ int main(void)
 {
     TEST(points_of_places_are_found);
     TEST(outside_the_nearest_is_found_within_reach);
+    TEST(what_is_folded_flat_takes_no_for_an_answer);
     TEST(what_cannot_be_asked_is_refused);
     return test_finish();
 }

@@ -49,6 +49,9 @@ pub const SF_CAGE_POINT_MAX: u32 = 2147483647;
 /// From this sharpness on a crease or a point stays sharp for ever.
 pub const SF_SHARP: f64 = 10.0;
 
+/// Farthest that a point may lie from the corner of a lattice, in voxels along x or y.
+pub const SF_CONTOUR_REACH_MAX: f64 = 131072.0;
+
 /// Longest gap that bridges may span, in voxels.
 pub const SF_BRIDGE_SPAN_MAX: u32 = 32767;
 
@@ -70,6 +73,9 @@ pub const SF_FINDING_ROOT: u32 = 4294967295;
 
 /// Size of a fingerprint in bytes.
 pub const SF_SHA256_SIZE: c_int = 32;
+
+/// Most different elements that a table of a chip can hold.
+pub const SF_CHIP_ELEMENT_MAX: u32 = 255;
 
 /// Largest number of regions.
 pub const SF_DENSITY_REGIONS_MAX: u32 = 65534;
@@ -227,6 +233,13 @@ pub const SF_STANCE_HANG: sf_stance_kind = 1;
 /// on a rounded base, and rolls back to the pose asked for
 pub const SF_STANCE_ROCK: sf_stance_kind = 2;
 
+/// What a set of polygons has inside.
+pub type sf_contour_fill = c_int;
+/// what the polygons wind around, as their turns sum up: not 0
+pub const SF_CONTOUR_NONZERO: sf_contour_fill = 0;
+/// what an odd number of polygons encloses
+pub const SF_CONTOUR_EVEN_ODD: sf_contour_fill = 1;
+
 /// Which voxels below can carry a voxel.
 pub type sf_rule_kind = c_int;
 /// the nine voxels below: the papers' rule; takes no angle
@@ -304,6 +317,21 @@ pub const SF_VOID_TRAP: sf_void_kind = 0;
 /// closed against the film while its layers print, and open later
 pub const SF_VOID_CUP: sf_void_kind = 1;
 
+/// Mesh file formats.
+pub type sf_mesh_format = c_int;
+/// reading only: judge by the bytes
+pub const SF_MESH_FORMAT_AUTO: sf_mesh_format = 0;
+/// text and binary in, binary out
+pub const SF_MESH_FORMAT_STL: sf_mesh_format = 1;
+/// in and out
+pub const SF_MESH_FORMAT_OBJ: sf_mesh_format = 2;
+/// text and both binary orders in, binary little-endian out
+pub const SF_MESH_FORMAT_PLY: sf_mesh_format = 3;
+/// text, in only
+pub const SF_MESH_FORMAT_OFF: sf_mesh_format = 4;
+/// .glb and .gltf in, where sf_gltf_is_served(); .glb out: \<sf/gltf.h\>
+pub const SF_MESH_FORMAT_GLTF: sf_mesh_format = 6;
+
 /// What matter a path may end on.
 pub type sf_landing = c_int;
 /// any matter from the bed layer up, as in the paper; under slack, matter that hangs in the air has
@@ -345,19 +373,6 @@ pub const SF_TONE_U8: sf_tone_type = 0;
 pub const SF_TONE_F32: sf_tone_type = 1;
 /// double: 1 is all
 pub const SF_TONE_F64: sf_tone_type = 2;
-
-/// Mesh file formats.
-pub type sf_mesh_format = c_int;
-/// reading only: judge by the bytes
-pub const SF_MESH_FORMAT_AUTO: sf_mesh_format = 0;
-/// text and binary in, binary out
-pub const SF_MESH_FORMAT_STL: sf_mesh_format = 1;
-/// in and out
-pub const SF_MESH_FORMAT_OBJ: sf_mesh_format = 2;
-/// text and both binary orders in, binary little-endian out
-pub const SF_MESH_FORMAT_PLY: sf_mesh_format = 3;
-/// text, in only
-pub const SF_MESH_FORMAT_OFF: sf_mesh_format = 4;
 
 /// Which way a curve goes.
 pub type sf_trend = c_int;
@@ -509,6 +524,13 @@ pub struct sf_stance {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// Layers of contours with their heights; it owns its memory.
+#[repr(C)]
+pub struct sf_contour_stack {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// A streaming check that keeps two layers, and two more while a layer is pushed.
 ///
 /// A voxel that nothing carries counts once; what rests on it is then judged as if it were carried,
@@ -530,6 +552,13 @@ pub struct sf_certificate {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// A check on a chip; lies in memory of the caller's.
+#[repr(C)]
+pub struct sf_chip {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// A cage and what it is after each of some steps.
 #[repr(C)]
 pub struct sf_refinement {
@@ -540,6 +569,27 @@ pub struct sf_refinement {
 /// Tetrahedra that own their arrays, or follow a refinement.
 #[repr(C)]
 pub struct sf_tets {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A file being read.
+#[repr(C)]
+pub struct sf_file {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A file being written: nothing shows under its path until sf_save_commit().
+#[repr(C)]
+pub struct sf_save {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A folder of the disk, being read or being written.
+#[repr(C)]
+pub struct sf_directory {
     _nothing: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -583,27 +633,6 @@ pub struct sf_diffuser {
 /// The voxels near the surface of a mesh, a slice at a time.
 #[repr(C)]
 pub struct sf_shell {
-    _nothing: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
-/// A file being read.
-#[repr(C)]
-pub struct sf_file {
-    _nothing: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
-/// A file being written: nothing shows under its path until sf_save_commit().
-#[repr(C)]
-pub struct sf_save {
-    _nothing: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
-/// A folder of the disk, being read or being written.
-#[repr(C)]
-pub struct sf_directory {
     _nothing: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -686,6 +715,12 @@ pub type sf_cage_place_function = Option<unsafe extern "C" fn(user: *mut c_void,
 
 /// A value for a place: what it is before is found in `value`. Returns 0 to give up.
 pub type sf_cage_value_function = Option<unsafe extern "C" fn(user: *mut c_void, at_mm: *const f64, value: *mut f64) -> c_int>;
+
+/// Decodes row `y` of layer `layer`: called once for each row, y rising from 0, while a layer is
+/// pushed. It hands what is solid to sf_chip_solid() or sf_chip_grey(), and returns SF_OK; any
+/// other status ends the push, which returns it. It must call nothing else of the checker that it
+/// is given.
+pub type sf_chip_decode = Option<unsafe extern "C" fn(user: *mut c_void, chip: *mut sf_chip, layer: u32, y: u32) -> sf_status>;
 
 /// What matter weighs at a place of the shape as it was before bending: 1 is the part's own; above
 /// 0, and finite as a float. Asked once a round for each voxel.
@@ -1454,6 +1489,23 @@ pub struct sf_rest {
     pub turn_count: u64,
 }
 
+/// A view of the closed polygons of one layer.
+///
+/// Contour i has the points starts\[i\] to starts\[i + 1\] - 1, and its last point is joined to its
+/// first. Fewer than three points enclose nothing. A first point that is said again at the end does
+/// no harm.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_contours {
+    /// x and y of each point; may be NULL where there are none
+    pub points_mm: *const f64,
+    /// contour_count + 1 numbers that never fall, the first is 0; may be NULL where there is no
+    /// contour
+    pub starts: *const usize,
+    /// how many polygons
+    pub contour_count: usize,
+}
+
 /// Gaps that matter may span between two anchored ends, in voxels along x, y and both diagonals.
 ///
 /// Let A be the voxels of a slice that are carried by what is alive below, and let A\* be the
@@ -1932,6 +1984,117 @@ pub struct sf_certificate_view {
     pub span_count: usize,
 }
 
+/// A support rule as a table of bytes: the elements that its steps have, and which step has which.
+///
+/// Element i begins at elements\[i \* (reach + 2)\]: first its reach_y, at most `reach`, then its
+/// half widths, reach_y + 1 of them, which never grow. The bytes belong to whoever made them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_chip_rule {
+    /// element_count elements of reach + 2 bytes each
+    pub elements: *const u8,
+    /// element of the step from layer first_layer + i to the next, for i below step_count; NULL:
+    /// all steps have element 0
+    pub steps: *const u8,
+    /// steps that `steps` has; 0 where it is NULL
+    pub step_count: u32,
+    /// lattice layer below the first of these steps
+    pub first_layer: u32,
+    /// elements, at least one
+    pub element_count: u8,
+    /// largest reach_y of an element
+    pub reach: u8,
+}
+
+/// Voxels x0 \<= x \< x1 of one row that the layer below does not carry.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_chip_finding {
+    /// lattice layer
+    pub layer: u32,
+    /// row
+    pub y: u32,
+    /// half-open, as long as it can be
+    pub x0: u32,
+    /// half-open, as long as it can be
+    pub x1: u32,
+}
+
+/// Counts of a check. All are exact, and the same for both forms and on every machine.
+///
+/// The hashes tell two jobs apart by accident, not by intent: they are no seal. layers_hash is over
+/// every maximal run of every layer in order, unsupported_hash over every maximal run that is not
+/// carried; both are 0 before the first layer.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_chip_counts {
+    /// layers checked
+    pub layer_count: u32,
+    /// the bed layer; SF_BED_AUTO while there was no matter
+    pub bed_layer: u32,
+    /// layers with a voxel that is not carried
+    pub unsupported_layers: u32,
+    /// findings in the caller's array: the first ones
+    pub finding_count: u32,
+    /// |S|
+    pub solid_voxels: u64,
+    /// sum over k of what of S_{k+1} is not carried by S_k as drawn, as sf_check_report has it
+    pub unsupported_voxels: u64,
+    /// in how many runs of rows these lie
+    pub unsupported_runs: u64,
+    /// of what was read
+    pub layers_hash: u64,
+    /// of what is not carried
+    pub unsupported_hash: u64,
+    /// 1 when unsupported_voxels is 0
+    pub support_free: c_int,
+}
+
+/// How a chip checks. Fill with sf_chip_options_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_chip_options {
+    /// sizeof(sf_chip_options), set by the default
+    pub struct_size: usize,
+    /// box3 by default; its bytes must outlive the checker
+    pub rule: sf_chip_rule,
+    /// size of the layers, in voxels; must be set
+    pub width: u32,
+    /// size of the layers, in voxels; must be set
+    pub height: u32,
+    /// lattice layer of the first one
+    pub first_layer: u32,
+    /// lattice layer that rests on the bed, or SF_BED_AUTO (default)
+    pub bed_layer: u32,
+    /// 0: dense (default); else run-length, with so many runs a layer
+    pub run_capacity: u32,
+    /// the caller's array, or NULL for counts only (default). Places past finding_count may be
+    /// written too
+    pub findings: *mut sf_chip_finding,
+    /// places in it
+    pub finding_capacity: u32,
+    /// any number that tells jobs apart: a saved state of another one is refused
+    pub job: u32,
+}
+
+/// Memory that lasts when the power goes: two slots, one from 0, the other from slot_size on.
+///
+/// `write` is called with offsets that rise within a slot, but for the last call, which writes its
+/// first bytes; it may erase a slot at the first call of a save. Both return SF_OK or a status,
+/// which is passed on.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_chip_store {
+    /// gives back bytes; any, where none were written
+    pub read: Option<unsafe extern "C" fn(user: *mut c_void, offset: u32, data: *mut c_void, size: usize) -> sf_status>,
+    /// keeps bytes
+    pub write: Option<unsafe extern "C" fn(user: *mut c_void, offset: u32, data: *const c_void, size: usize) -> sf_status>,
+    /// handed to both; may be NULL
+    pub user: *mut c_void,
+    /// bytes of one slot, at least sf_chip_slot_size()
+    pub slot_size: u32,
+}
+
 /// A region of one density. Only what its shape names is looked at.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2092,6 +2255,87 @@ pub struct sf_voids_options {
     pub voids: *mut sf_void,
     /// places in it
     pub void_capacity: usize,
+}
+
+/// Bounds on what a reader takes. Fill with sf_read_limits_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_read_limits {
+    /// sizeof(sf_read_limits), set by the default
+    pub struct_size: usize,
+    /// most bytes read from the source (default 8 GiB)
+    pub bytes_max: u64,
+    /// most triangles (default 1e9)
+    pub triangles_max: usize,
+    /// most vertices, corners of STL facets one by one (default UINT32_MAX)
+    pub vertices_max: usize,
+}
+
+/// A folder as a stack sees it: named files, each read or written whole, one at a time.
+///
+/// A folder that is only written may leave `open` and `close` NULL, one that is only read the
+/// others. sf_directory_folder() makes one of a folder of the disk.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_folder {
+    /// Open file `name` for reading. SF_ERR_IO when it is not there.
+    pub open: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, source: *mut sf_source) -> sf_status>,
+    /// Done with a source from `open`.
+    pub close: Option<unsafe extern "C" fn(user: *mut c_void, source: sf_source)>,
+    /// Begin file `name`; nothing shows under that name until `commit`.
+    pub begin: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, sink: *mut sf_sink) -> sf_status>,
+    /// Finish the file begun last: publish it (keep != 0) or drop it.
+    pub commit: Option<unsafe extern "C" fn(user: *mut c_void, keep: c_int) -> sf_status>,
+    /// handed to all four; may be NULL
+    pub user: *mut c_void,
+}
+
+/// The rule that a stack was made under, as stack.json carries it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_stack_info {
+    /// 0: the stack says nothing of a rule, and the rest is 0
+    pub has_rule: c_int,
+    /// which rule
+    pub rule: sf_rule_kind,
+    /// its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0
+    pub angle_rad: f64,
+    /// layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts from layer 0
+    pub bed_layer: u32,
+    /// bridges of the rule, 0: none; see sf_rule_set_bridges()
+    pub bridge_span_mm: f64,
+    /// carried matter that each end of one must have
+    pub bridge_anchor_mm: f64,
+}
+
+/// How glTF is read. Fill with sf_gltf_options_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_gltf_options {
+    /// sizeof(sf_gltf_options), set by the default
+    pub struct_size: usize,
+    /// most bytes, those of the folder's files included; most triangles and vertices
+    pub limits: sf_read_limits,
+    /// where buffers outside of the file are, read with `open` and `close`; NULL: there are none
+    pub folder: *const sf_folder,
+}
+
+/// What was read of a glTF file, and what was passed over.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_gltf_report {
+    /// nodes of the scene
+    pub nodes: usize,
+    /// sets of triangles that were placed
+    pub pieces: usize,
+    /// sets of points and lines: passed over
+    pub passed: usize,
+    /// nodes with a skin, whose meshes are taken as modelled, not as posed
+    pub skinned: usize,
+    /// sets of triangles with other shapes to blend to, which are not blended
+    pub morphed: usize,
+    /// animations of the file, none of which is played
+    pub animations: usize,
 }
 
 /// A voxel of a grid.
@@ -2288,57 +2532,6 @@ pub struct sf_material_use {
     pub volume_mm3: f64,
     /// by its density; 0 without one
     pub mass_g: f64,
-}
-
-/// Bounds on what a reader takes. Fill with sf_read_limits_default().
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_read_limits {
-    /// sizeof(sf_read_limits), set by the default
-    pub struct_size: usize,
-    /// most bytes read from the source (default 8 GiB)
-    pub bytes_max: u64,
-    /// most triangles (default 1e9)
-    pub triangles_max: usize,
-    /// most vertices, corners of STL facets one by one (default UINT32_MAX)
-    pub vertices_max: usize,
-}
-
-/// A folder as a stack sees it: named files, each read or written whole, one at a time.
-///
-/// A folder that is only written may leave `open` and `close` NULL, one that is only read the
-/// others. sf_directory_folder() makes one of a folder of the disk.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_folder {
-    /// Open file `name` for reading. SF_ERR_IO when it is not there.
-    pub open: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, source: *mut sf_source) -> sf_status>,
-    /// Done with a source from `open`.
-    pub close: Option<unsafe extern "C" fn(user: *mut c_void, source: sf_source)>,
-    /// Begin file `name`; nothing shows under that name until `commit`.
-    pub begin: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, sink: *mut sf_sink) -> sf_status>,
-    /// Finish the file begun last: publish it (keep != 0) or drop it.
-    pub commit: Option<unsafe extern "C" fn(user: *mut c_void, keep: c_int) -> sf_status>,
-    /// handed to all four; may be NULL
-    pub user: *mut c_void,
-}
-
-/// The rule that a stack was made under, as stack.json carries it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_stack_info {
-    /// 0: the stack says nothing of a rule, and the rest is 0
-    pub has_rule: c_int,
-    /// which rule
-    pub rule: sf_rule_kind,
-    /// its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0
-    pub angle_rad: f64,
-    /// layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts from layer 0
-    pub bed_layer: u32,
-    /// bridges of the rule, 0: none; see sf_rule_set_bridges()
-    pub bridge_span_mm: f64,
-    /// carried matter that each end of one must have
-    pub bridge_anchor_mm: f64,
 }
 
 /// What a material is called, looks like and weighs.
@@ -5143,6 +5336,196 @@ extern "C" {
         fault: *mut sf_fault,
     ) -> sf_status;
 
+    /// Draw contours into a slice: dst is solid where they have it inside, and empty elsewhere.
+    ///
+    /// - `dst`: the slice, written; of the lattice's nx and ny
+    /// - `lattice`: where voxels lie: nx, ny, pitch and origin are looked at
+    /// - `contours`: the polygons, in the frame of the lattice; what stands out is cut off
+    /// - `fill`: what is inside
+    /// - `allocator`: for 32 bytes a point and 4 a row while it works; NULL for the C library's
+    /// - `fault`: NULL, or filled where a point is refused
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, starts that fall, a
+    ///   point that is not finite, no such fill; what sf_lattice_validate() says; SF_ERR_SHAPE: a
+    ///   slice of another size; SF_ERR_OVERFLOW: a point farther than SF_CONTOUR_REACH_MAX voxels
+    ///   from the lattice's corner, 2^32 - 1 points or more; SF_ERR_MEMORY.
+    /// - cost: one pass, and n log n in the crossings of each row.
+    /// - threads: any that write to distinct slices; one at a time for each allocator.
+    /// - source: W. J. Bouknight, "A Procedure for Generation of Three-Dimensional Half-Toned
+    ///   Computer Graphics Presentations", 1970 (lists of edges that a row crosses).
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_slice_from_contours(
+        dst: sf_slice,
+        lattice: *const sf_lattice,
+        contours: *const sf_contours,
+        fill: sf_contour_fill,
+        allocator: *const sf_allocator,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Signed area of contours: what turns to the left counts, what turns to the right is taken
+    /// away.
+    ///
+    /// For contours that cross nothing and whose holes turn the other way it is the area inside,
+    /// under either fill.
+    ///
+    /// - `contours`: the polygons; NULL has none
+    /// - returns: the area in mm2; not a number where starts fall.
+    /// - cost: one pass.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_contours_area_mm2(contours: *const sf_contours) -> f64;
+
+    /// Make a stack without layers.
+    ///
+    /// - `bottom_mm`: height of the lowest layer's underside
+    /// - `allocator`: for the stack; NULL for the C library's
+    /// - `stack`: receives the stack
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a height that is not finite or beyond
+    ///   1e12; SF_ERR_MEMORY.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_create(
+        bottom_mm: f64,
+        allocator: *const sf_allocator,
+        stack: *mut *mut sf_contour_stack,
+    ) -> sf_status;
+
+    /// Add a layer on top: it reaches from the top of the one below to `top_mm`.
+    ///
+    /// - `stack`: the stack
+    /// - `top_mm`: above the stack's top so far
+    /// - `contours`: the polygons, copied
+    /// - `fault`: NULL, or filled where something is refused
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a top that does not rise or is beyond
+    ///   1e12, starts that fall, a point that is not finite or beyond 1e12; SF_ERR_OVERFLOW: more
+    ///   than SF_LAYER_MAX layers, or sizes that do not fit the machine; SF_ERR_MEMORY.
+    /// - cost: the points.
+    /// - threads: one per stack.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_add(
+        stack: *mut sf_contour_stack,
+        top_mm: f64,
+        contours: *const sf_contours,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Trace the border of a slice's voxels and add it as the next layer.
+    ///
+    /// Each contour runs along the sides of voxels with matter on its left: around a piece it turns
+    /// to the left, around a hole to the right. Pieces that meet in a corner only stay apart.
+    /// Points are where it turns, so drawing the layer again, under either fill, gives the same
+    /// voxels.
+    ///
+    /// - `stack`: the stack
+    /// - `top_mm`: above the stack's top so far
+    /// - `slice`: the slice, of the lattice's nx and ny
+    /// - `lattice`: where voxels lie: nx, ny, pitch and origin are looked at
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, a top that does not
+    ///   rise or is beyond 1e12; what sf_lattice_validate() says; SF_ERR_SHAPE: a slice of another
+    ///   size; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+    /// - cost: a pass over the slice, and the length of the border in voxels; a slice of memory
+    ///   while it works.
+    /// - threads: one per stack.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_trace(
+        stack: *mut sf_contour_stack,
+        top_mm: f64,
+        slice: sf_slice,
+        lattice: *const sf_lattice,
+    ) -> sf_status;
+
+    /// Number of layers.
+    ///
+    /// - `stack`: the stack; NULL has none
+    /// - returns: the number.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_contour_stack_count(stack: *const sf_contour_stack) -> u32;
+
+    /// The contours of a layer and its heights.
+    ///
+    /// - `stack`: the stack
+    /// - `k`: the layer, below sf_contour_stack_count()
+    /// - `contours`: receives a view, good until the stack is changed or destroyed; may be NULL
+    /// - `bottom_mm`: receives the height of its underside; may be NULL
+    /// - `top_mm`: receives the height of its top; may be NULL
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: no stack, or no such layer.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_layer(
+        stack: *const sf_contour_stack,
+        k: u32,
+        contours: *mut sf_contours,
+        bottom_mm: *mut f64,
+        top_mm: *mut f64,
+    ) -> sf_status;
+
+    /// A lattice that holds all contours of a stack, one layer each.
+    ///
+    /// Its corner is the least x, y and z; it ends at the first voxel beyond the greatest.
+    ///
+    /// - `stack`: the stack
+    /// - `pitch_x_mm`: voxel size along x, above 0
+    /// - `pitch_y_mm`: voxel size along y, above 0
+    /// - `heights_mm`: receives a height for each layer, and is kept by the lattice
+    /// - `capacity`: places in heights_mm, at least sf_contour_stack_count()
+    /// - `lattice`: receives the lattice
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a pitch that cannot be, a stack without
+    ///   layers or without points; SF_ERR_CAPACITY: too few places; SF_ERR_OVERFLOW: more than
+    ///   SF_EXTENT_MAX voxels along x or y.
+    /// - cost: one pass.
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_lattice(
+        stack: *const sf_contour_stack,
+        pitch_x_mm: f64,
+        pitch_y_mm: f64,
+        heights_mm: *mut f64,
+        capacity: usize,
+        lattice: *mut sf_lattice,
+    ) -> sf_status;
+
+    /// Draw a stack into a new grid, layer by layer.
+    ///
+    /// - `stack`: the stack
+    /// - `lattice`: where voxels lie, with as many layers as the stack; heights and z are copied,
+    ///   but not compared
+    /// - `fill`: what is inside
+    /// - `allocator`: for the grid, and as in sf_slice_from_contours(); NULL for the C library's
+    /// - `task`: NULL, or progress per layer; a cancel is honoured at every layer
+    /// - `grid`: receives the grid, to be destroyed by the caller
+    /// - returns: as sf_slice_from_contours() and sf_grid_create(); SF_ERR_SHAPE: another number of
+    ///   layers; SF_ERR_CANCELLED.
+    /// - cost: sf_slice_from_contours() for each layer.
+    /// - threads: any that read; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_grid_from_contours(
+        stack: *const sf_contour_stack,
+        lattice: *const sf_lattice,
+        fill: sf_contour_fill,
+        allocator: *const sf_allocator,
+        task: *mut sf_task,
+        grid: *mut *mut sf_grid,
+    ) -> sf_status;
+
+    /// Free a stack.
+    ///
+    /// - `stack`: the stack, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one, and nobody else with this stack.
+    /// - since: 0.1
+    pub fn sf_contour_stack_destroy(stack: *mut sf_contour_stack);
+
     /// The papers' rule: a voxel is carried by any of the nine below it.
     ///
     /// It takes no angle. On cubic voxels it accepts 45 degrees along the axes and 54.7 degrees
@@ -5446,6 +5829,28 @@ extern "C" {
         pixels: *const u8,
         row_bytes: usize,
         threshold: u8,
+    ) -> sf_status;
+
+    /// Push the next layer as contours: closed polygons of \<sf/contour.h\>.
+    ///
+    /// - `checker`: the checker
+    /// - `lattice`: of the checker's width and height; pitch and origin are looked at
+    /// - `contours`: the polygons
+    /// - `fill`: what is inside
+    /// - `allocator`: for drawing and for the layer's runs; NULL for the C library's
+    /// - `fault`: NULL, or filled where a point is refused
+    /// - returns: as sf_slice_from_contours() and as sf_checker_push_runs().
+    /// - cost: as both.
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_checker_push_contours(
+        checker: *mut sf_checker,
+        lattice: *const sf_lattice,
+        contours: *const sf_contours,
+        fill: sf_contour_fill,
+        allocator: *const sf_allocator,
+        fault: *mut sf_fault,
     ) -> sf_status;
 
     /// Counts so far.
@@ -5953,6 +6358,202 @@ extern "C" {
     /// - since: 0.1
     pub fn sf_certificate_destroy(certificate: *mut sf_certificate);
 
+    /// Turn a rule into the table that a chip reads.
+    ///
+    /// The table is the same bytes on every machine. Where all steps have one element it has no
+    /// steps and serves any number of layers.
+    ///
+    /// - `rule`: a rule that is an element for each step: box3, octagon or disk, no bridges
+    /// - `first_layer`: lattice layer of the first slice that will be checked
+    /// - `layer_count`: slices that the table must serve, at least 1
+    /// - `memory`: for the table's bytes, kept by `table`; may be NULL where memory_size is 0
+    /// - `memory_size`: bytes of it
+    /// - `size`: bytes used; with SF_ERR_CAPACITY at least those needed, for another try
+    /// - `table`: the table
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no layers, a rule that sf_rule_make() did
+    ///   not make or that does not serve all the layers; SF_ERR_UNSUPPORTED: slack or bridges,
+    ///   which need more than an element, or more than SF_CHIP_ELEMENT_MAX different elements;
+    ///   SF_ERR_CAPACITY: too little memory.
+    /// - cost: O(layers \* elements \* reach).
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_rule_make(
+        rule: *const sf_rule,
+        first_layer: u32,
+        layer_count: u32,
+        memory: *mut u8,
+        memory_size: usize,
+        size: *mut usize,
+        table: *mut sf_chip_rule,
+    ) -> sf_status;
+
+    /// Options of a check on a chip: rule box3, dense, bed by the shape itself, no findings.
+    ///
+    /// - returns: the options; width and height are 0 and must be set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_chip_options_default() -> sf_chip_options;
+
+    /// Bytes of memory that sf_chip_place() needs for these options; the same on every machine.
+    ///
+    /// Dense: 384 bytes, and 4 for every 32 voxels of a row, for height + reach + 2 rows.
+    /// Run-length: 400 bytes, 12 for each run of run_capacity, 16 for each row of reach.
+    ///
+    /// - `options`: the options that the checker will be placed with
+    /// - `size`: the bytes
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, width
+    ///   or height outside 1..SF_EXTENT_MAX, a first or a bed layer of SF_LAYER_MAX or more, a bed
+    ///   layer below the first, a capacity without findings, a table that is none; SF_ERR_OVERFLOW:
+    ///   a size that does not fit the machine.
+    /// - cost: O(bytes of the table).
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_size(options: *const sf_chip_options, size: *mut usize) -> sf_status;
+
+    /// Set up a check in the caller's memory, before its first layer.
+    ///
+    /// The findings array and the rule's bytes stay the caller's and must live as long as the
+    /// checker is used; the options are copied.
+    ///
+    /// - `options`: the options
+    /// - `memory`: 8-byte aligned; apart from what the findings lie in
+    /// - `memory_size`: its size in bytes, at least sf_chip_size()
+    /// - `chip`: the checker, which lies in `memory`
+    /// - returns: SF_OK; what sf_chip_size() says; SF_ERR_ARGUMENT: a NULL pointer, memory that is
+    ///   not aligned; SF_ERR_CAPACITY: too little memory.
+    /// - cost: O(memory).
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_place(
+        options: *const sf_chip_options,
+        memory: *mut c_void,
+        memory_size: usize,
+        chip: *mut *mut sf_chip,
+    ) -> sf_status;
+
+    /// Check the next layer, which a callback decodes row by row.
+    ///
+    /// When it fails the counts are as before the call. A run-length checker may then be given the
+    /// layer again. A dense one has written over the layer below: it returns the same status from
+    /// then on, until sf_chip_resume() or sf_chip_place() makes it new.
+    ///
+    /// - `chip`: the checker
+    /// - `decode`: decodes one row
+    /// - `user`: handed to decode; may be NULL
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a call from within decode, runs that are
+    ///   empty, leave the row or are out of order, a table without a step to this layer;
+    ///   SF_ERR_CAPACITY: the layer has more than run_capacity runs; SF_ERR_OVERFLOW: the layer
+    ///   would be number SF_LAYER_MAX; what decode returned.
+    /// - cost: a row: dense, its words times (2 reach + 4), and those of widening, fewer than the
+    ///   largest half width; run-length, (its runs + the runs below within reach) \* (2 reach + 1).
+    ///   At most 512 bytes of stack on a processor of 32 bits, beside what decode takes.
+    /// - threads: one per checker.
+    /// - source: T. Reiner, S. Lefebvre, "Interactive Modeling of Support-free Shapes for
+    ///   Fabrication", Eurographics 2016, section 3.2 (a slice is checked against the one below).
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_push(chip: *mut sf_chip, decode: sf_chip_decode, user: *mut c_void) -> sf_status;
+
+    /// Called by a decoder: voxels x0 \<= x \< x1 of its row are solid.
+    ///
+    /// Runs go from left to right; they may touch, and then count as one.
+    ///
+    /// - `chip`: the checker that decode was given
+    /// - `x0`: first column
+    /// - `x1`: the column after the last
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no decoder at work, a run that is empty,
+    ///   leaves the row or begins before the end of the last one; SF_ERR_CAPACITY: more than
+    ///   run_capacity runs in the layer. The push fails with that status, whatever the decoder
+    ///   returns then.
+    /// - cost: dense: O(length / 32); run-length: constant.
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_solid(chip: *mut sf_chip, x0: u32, x1: u32) -> sf_status;
+
+    /// Called by a decoder: pixels of its row from column x on, solid where they are at least
+    /// `threshold`.
+    ///
+    /// - `chip`: the checker that decode was given
+    /// - `x`: column of the first pixel
+    /// - `pixels`: one byte each; may be NULL where count is 0
+    /// - `count`: number of pixels
+    /// - `threshold`: 1 to 255; 0 makes all of them solid
+    /// - returns: as sf_chip_solid(); SF_ERR_ARGUMENT also: pixels that are NULL.
+    /// - cost: O(count).
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_grey(
+        chip: *mut sf_chip,
+        x: u32,
+        pixels: *const u8,
+        count: u32,
+        threshold: u8,
+    ) -> sf_status;
+
+    /// Counts so far.
+    ///
+    /// - `chip`: the checker
+    /// - `counts`: the counts
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
+    /// - cost: constant.
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_report(chip: *const sf_chip, counts: *mut sf_chip_counts) -> sf_status;
+
+    /// Bytes of one slot of a store that every state of a checker fits.
+    ///
+    /// - `chip`: the checker; NULL has none
+    /// - `size`: the bytes
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_OVERFLOW: two slots of it do not
+    ///   fit 32 bits.
+    /// - cost: constant.
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_slot_size(chip: *const sf_chip, size: *mut u32) -> sf_status;
+
+    /// Save the state after the last layer, into the slot that does not hold the last saved one.
+    ///
+    /// What is written first is the layer, what is written last, 84 bytes at the slot's beginning,
+    /// says that it is whole; so a cut at any moment leaves the other slot, which is not touched.
+    /// The bytes are the same on every machine.
+    ///
+    /// - `chip`: the checker
+    /// - `store`: where to
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a call from within decode, a slot that is
+    ///   too small, a dense checker whose last push failed; SF_ERR_OVERFLOW: as
+    ///   sf_chip_slot_size(); what write returned, after which the state may be saved again.
+    /// - cost: O(bytes saved).
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_save(chip: *mut sf_chip, store: *const sf_chip_store) -> sf_status;
+
+    /// Go on with the newest state in a store that is whole: counts, findings, the last layer.
+    ///
+    /// layer_count of the counts says which layer to push next. A store that was saved into by a
+    /// checker of other options is refused.
+    ///
+    /// - `chip`: the checker, placed with the options that it had when the state was saved; as it
+    ///   was when the call fails
+    /// - `store`: where from
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a call from within decode; SF_ERR_FORMAT:
+    ///   neither slot holds a whole state; SF_ERR_SHAPE: the newest whole one is of other options;
+    ///   SF_ERR_IO: what was whole a moment before is not so any more, and the checker waits for
+    ///   another try; what read returned, where no slot could be read.
+    /// - cost: two passes over the bytes saved.
+    /// - threads: one per checker.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_chip_resume(chip: *mut sf_chip, store: *const sf_chip_store) -> sf_status;
+
     /// Options of densities: 1 everywhere.
     ///
     /// - returns: the options, by value.
@@ -6395,6 +6996,457 @@ extern "C" {
         report: *mut sf_voids_report,
         void_count: *mut usize,
     ) -> sf_status;
+
+    /// The default bounds: 8 GiB, 1e9 triangles, UINT32_MAX vertices.
+    ///
+    /// - returns: the limits, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_read_limits_default() -> sf_read_limits;
+
+    /// The mesh format that the extension of a file name stands for.
+    ///
+    /// - `name`: a file name or a path, upper or lower case; NULL is allowed
+    /// - returns: the format; SF_MESH_FORMAT_AUTO when the name ends in none of .stl .obj .ply .off
+    ///   .glb .gltf.
+    /// - cost: the length of the name.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_mesh_format_from_name(name: *const c_char) -> sf_mesh_format;
+
+    /// Read a mesh from any source of bytes: STL, OBJ, PLY, OFF or glTF.
+    ///
+    /// Coordinates are taken as they are, as mm. Polygons become fans about their first corner.
+    /// What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is
+    /// passed over. STL has no shared vertices, so every facet brings three of its own;
+    /// sf_mesh_merge() joins them.
+    ///
+    /// glTF alone says its unit and which way is up: it is turned to mm with z up, as
+    /// sf_gltf_read() says, which also reads buffers in other files. Its text form is not told from
+    /// others by its bytes.
+    ///
+    /// No count in a file is believed: memory grows as the bytes come. A binary STL file is as long
+    /// as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with
+    /// endsolid; a file that is shorter is refused, because half a part looks like a whole one. So
+    /// are coordinates that are not finite, faces of fewer than three corners, corners that name no
+    /// vertex, and files without a triangle. Numbers are read exactly, whatever the locale.
+    ///
+    /// - `source`: the file; read to where the mesh ends, or somewhat beyond
+    /// - `format`: the format, or SF_MESH_FORMAT_AUTO to judge by the first 4096 bytes
+    /// - `limits`: NULL for sf_read_limits_default()
+    /// - `allocator`: for the mesh and for reading; NULL for the C library's
+    /// - `mesh`: where the new mesh is left, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure: what is wrong, at which line (of text files) and
+    ///   byte, and what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_UNSUPPORTED: glTF that
+    ///   sf_gltf_read() does not serve; SF_ERR_OVERFLOW: more than `limits`; SF_ERR_MEMORY;
+    ///   SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source returned.
+    /// - cost: one pass over the file; while it grows, memory for two and a half times the mesh.
+    /// - threads: any, on distinct sources; one at a time for each allocator.
+    /// - source: 3D Systems, "StereoLithography Interface Specification", 1989; Wavefront, "Object
+    ///   Files"; G. Turk, "The PLY Polygon File Format", 1994; the Geomview manual, "OFF Files".
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_mesh_read(
+        source: sf_source,
+        format: sf_mesh_format,
+        limits: *const sf_read_limits,
+        allocator: *const sf_allocator,
+        mesh: *mut *mut sf_mesh,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a mesh as binary STL, OBJ, binary little-endian PLY or binary glTF.
+    ///
+    /// OBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that
+    /// read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that
+    /// are equal stay equal. glTF is what sf_gltf_write() writes, without colours. Everything is
+    /// checked before the first byte is written.
+    ///
+    /// - `mesh`: the mesh; what sf_mesh_validate() takes
+    /// - `format`: SF_MESH_FORMAT_STL, _OBJ, _PLY or _GLTF
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
+    ///   SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF; SF_ERR_OVERFLOW: for STL and glTF, a coordinate
+    ///   beyond the range of floats, more than UINT32_MAX triangles, a file of 4 GiB; or what the
+    ///   sink returned.
+    /// - cost: one pass to check, one to write; 8 KiB of stack, no memory.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_mesh_write(mesh: sf_mesh_view, format: sf_mesh_format, sink: sf_sink) -> sf_status;
+
+    /// Whether this build writes and reads PNG.
+    ///
+    /// - returns: 1 when it does; 0 when stacks are written as PBM, PNG stacks cannot be read, and
+    ///   sf_png_write_rgb() does not work.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_stack_has_png() -> c_int;
+
+    /// Write a grid as a stack: layer_00000.png and so on from the bottom, and last stack.json.
+    ///
+    /// Each picture has nx by ny pixels, one bit of grey each: white is solid. It shows the layer
+    /// from above: x to the right, y upward, so its top row is the largest y. In a build without
+    /// PNG the pictures are PBM (P4), layer_00000.pbm. stack.json says it all:
+    ///
+    /// ```text
+    /// {"format": "libsf-stack", "version": 1, "units": "mm",
+    ///  "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
+    ///              "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
+    ///  "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
+    ///                   "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer",
+    ///                   "phase_layer": 0},
+    ///  "layers": {"pattern": "layer_%05u.png", "count": nz},
+    ///  "solid": "white", "row_order": "top_is_max_y"}
+    /// ```
+    ///
+    /// Its numbers read back as the same doubles. angle_deg is for people: the reader takes
+    /// angle_rad; box3 has neither. bridge_mm is there only where the rule has bridges, and then
+    /// the version is 2. bed_layer is null for SF_BED_AUTO. phase_layer is the layer that the
+    /// rule's phase counts from (an octagon's steps differ from layer to layer); so far that is
+    /// always 0, so a reader takes nothing else, and 0 where it is absent. A folder without
+    /// stack.json is no stack, so a call that fails leaves none in a folder that had none; over
+    /// sf_directory_write() it leaves nothing at all.
+    ///
+    /// - `grid`: the shape
+    /// - `info`: the rule it was made under, or NULL
+    /// - `folder`: where to; needs `begin` and `commit`
+    /// - `task`: NULL, or progress per layer and a cancel between layers
+    /// - `fault`: NULL, or filled on failure with the file that could not be written
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a rule, angle or bed layer that there
+    ///   is not; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: libspng refuses what it should
+    ///   take; or what the folder or its sinks returned.
+    /// - cost: one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib
+    ///   take some 300 KiB from the C library, because they know no other allocators.
+    /// - threads: any that only read the grid, on distinct folders.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_stack_write(
+        grid: *const sf_grid,
+        info: *const sf_stack_info,
+        folder: sf_folder,
+        task: *mut sf_task,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Read a stack back: the grid, its lattice, and the rule it was made under.
+    ///
+    /// Layers of materials (\<sf/layers.h\>) are read as what is solid. Pictures may also be grey
+    /// of 2 to 8 bits, as picture editors save them: half-way and above is solid. Before memory is
+    /// taken for the grid, every picture that stack.json claims must be there with the claimed
+    /// size. Fields of stack.json that are not known are passed over.
+    ///
+    /// - `folder`: where from; needs `open` and `close`
+    /// - `allocator`: for the grid and for reading; NULL for the C library's
+    /// - `task`: NULL, or progress per layer and a cancel between layers
+    /// - `grid`: where the new grid is left, to be destroyed by the caller; untouched on failure
+    /// - `info`: NULL, or where the rule is left; untouched on failure
+    /// - `fault`: NULL, or filled on failure: which file, what is wrong, what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: stack.json or a picture is damaged, or they disagree;
+    ///   SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a
+    ///   build without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine
+    ///   addresses; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer;
+    ///   SF_ERR_INTERNAL: libspng refuses what it should take; SF_ERR_IO: a source that claims more
+    ///   than it was asked for; or what the folder or its sources returned.
+    /// - cost: two opens of each picture, one pass over their bytes. jansson, libspng and zlib take
+    ///   memory from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
+    /// - threads: any, on distinct folders; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_stack_read(
+        folder: sf_folder,
+        allocator: *const sf_allocator,
+        task: *mut sf_task,
+        grid: *mut *mut sf_grid,
+        info: *mut sf_stack_info,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a certificate as JSON, for sf-verify and whoever else wants to check it.
+    ///
+    /// docs/certificate.md says what each field holds. The last one is the SHA-256 of every byte
+    /// before it, so the file is to be kept as it is: the same JSON in other words is refused.
+    ///
+    /// - `certificate`: the certificate
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
+    /// - cost: the length of the file; 12 KiB of stack, no memory.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_certificate_write(certificate: *const sf_certificate, sink: sf_sink) -> sf_status;
+
+    /// Write a colour picture as PNG, eight bits of red, green and blue a pixel.
+    ///
+    /// - `pixels`: 3 \* width \* height bytes: red, green, blue, row after row from the top
+    /// - `width`: 1..SF_EXTENT_MAX
+    /// - `height`: 1..SF_EXTENT_MAX
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer or a size outside its range;
+    ///   SF_ERR_UNSUPPORTED: a build without PNG; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses
+    ///   what it should take; or what the sink returned.
+    /// - cost: one pass, mostly in the compressor, which takes its memory from the C library.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_png_write_rgb(pixels: *const u8, width: u32, height: u32, sink: sf_sink) -> sf_status;
+
+    /// Open a file for reading.
+    ///
+    /// - `path`: path of the file, as the C library takes it
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `file`: where the open file is left, to be closed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: it is not there, is a folder, or may not be read;
+    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_file_open(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        file: *mut *mut sf_file,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The source that reads an open file, from where it stands to its end.
+    ///
+    /// - `file`: the file; NULL gives a source without `read`
+    /// - returns: the source; valid until the file is closed. It returns SF_ERR_IO when the disk
+    ///   fails.
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_file_source(file: *mut sf_file) -> sf_source;
+
+    /// Close a file.
+    ///
+    /// - `file`: the file, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_file_close(file: *mut sf_file);
+
+    /// Begin to write a file, without touching what stands at its path.
+    ///
+    /// The bytes go to a new file beside it, PATH.sf-PROCESS-NUMBER.tmp, until sf_save_commit()
+    /// renames that. A symbolic link at the path is replaced by the file, not followed.
+    ///
+    /// - `path`: path of the file; what stands there must be an ordinary file or nothing
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `save`: where the object is left, for sf_save_commit() or sf_save_abort(); untouched on
+    ///   failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: a folder or a device stands there, or no file can be made
+    ///   beside it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_save_begin(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        save: *mut *mut sf_save,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The sink that writes a file being saved.
+    ///
+    /// - `save`: the file; NULL gives a sink without `write`
+    /// - returns: the sink; valid until the commit or abort. After a failed write it takes nothing
+    ///   more.
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_save_sink(save: *mut sf_save) -> sf_sink;
+
+    /// Publish a file: sync it to the disk, rename it over its path, sync the folder.
+    ///
+    /// Whoever opens the path at any time finds the old file or the new one, whole; on failure the
+    /// old one, and the new one is gone. The new file has the access rights of the old.
+    ///
+    /// - `save`: the file; freed, whatever is returned
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: a write or the sync failed, or the path cannot be replaced;
+    ///   SF_ERR_ARGUMENT: NULL.
+    /// - cost: a sync of the disk.
+    /// - threads: one per file.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_save_commit(save: *mut sf_save, fault: *mut sf_fault) -> sf_status;
+
+    /// Drop a file being saved; what stands at its path stays.
+    ///
+    /// - `save`: the file, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_save_abort(save: *mut sf_save);
+
+    /// Open a folder for reading its files.
+    ///
+    /// - `path`: path of the folder
+    /// - `allocator`: for the object and the files it opens; NULL for the C library's
+    /// - `directory`: where the object is left, for sf_directory_close(); untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: it is not there or no folder; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a
+    ///   NULL pointer or an empty path.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_read(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        directory: *mut *mut sf_directory,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Begin to write a folder of files, without touching what stands at its path.
+    ///
+    /// The files go to a new folder beside it, PATH.sf-PROCESS-NUMBER.tmp, until
+    /// sf_directory_commit() renames that. Only an empty folder or an earlier stack is replaced: a
+    /// folder that holds stack.json, pictures named like layers, and nothing else.
+    ///
+    /// - `path`: path of the folder to be; its parent exists
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `directory`: where the object is left, for sf_directory_commit() or sf_directory_close();
+    ///   untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: something else stands there, or no folder can be made beside
+    ///   it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
+    /// - cost: the number of entries of the folder that stands there.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_write(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        directory: *mut *mut sf_directory,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The folder that a stack is read from or written to.
+    ///
+    /// File names are plain: no separators, no "..". Each file is synced to the disk as it is
+    /// committed.
+    ///
+    /// - `directory`: the folder; NULL gives a folder without functions
+    /// - returns: the folder; valid until the commit or close. One file is written at a time;
+    ///   `begin` returns SF_ERR_ARGUMENT for a second one, for a name that is not plain, and for a
+    ///   folder being read.
+    /// - cost: constant.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    pub fn sf_directory_folder(directory: *mut sf_directory) -> sf_folder;
+
+    /// Publish a folder: rename it to its path, in place of an empty folder or an earlier stack.
+    ///
+    /// An earlier stack is first renamed aside (PATH.sf-PROCESS-NUMBER.old) and removed when the
+    /// new one stands: a crash in between leaves both, whole. On failure the old one stays and the
+    /// new one is gone.
+    ///
+    /// - `directory`: a folder from sf_directory_write(); freed, whatever is returned
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: the path cannot be replaced, or now holds something else;
+    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: NULL, or a folder being read.
+    /// - cost: a sync of the disk, and the number of files of an earlier stack.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_commit(directory: *mut sf_directory, fault: *mut sf_fault) -> sf_status;
+
+    /// Close a folder being read, or drop one being written; what stands at its path stays.
+    ///
+    /// - `directory`: the folder, freed; NULL does nothing
+    /// - cost: for one being written, the number of its files; it needs no memory.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    pub fn sf_directory_close(directory: *mut sf_directory);
+
+    /// Whether this build reads glTF.
+    ///
+    /// - returns: 1 where it has tinygltf, else 0.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_gltf_is_served() -> c_int;
+
+    /// The default: sf_read_limits_default(), and no folder.
+    ///
+    /// - returns: the options, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_gltf_options_default() -> sf_gltf_options;
+
+    /// Read a glTF file, binary (.glb) or as text (.gltf), as one mesh, in mm with z up.
+    ///
+    /// The mesh holds the triangles of the scene that the file shows first (without scenes, of all
+    /// nodes), one vertex for each that the file has, times the nodes that show it; strips and fans
+    /// become triangles; a node that mirrors turns its triangles, so that outside stays outside.
+    /// Materials, colours, pictures, cameras and lights are passed over; skins, animations and
+    /// shapes to blend to as well, and the report counts them. Positions may be interleaved,
+    /// sparse, and whole numbers (KHR_mesh_quantization). Refused are files that require extensions
+    /// which change the shape and are not served, such as compressed meshes.
+    ///
+    /// No path is followed. A buffer may stand in the file itself or be a data: URI; another file's
+    /// name is asked of `folder` only if it is plain (no separators, no "..", no scheme). Pictures
+    /// are not decoded, and files named like them not opened. Before tinygltf sees it, JSON is held
+    /// against bounds: 64 levels, 200,000 objects and lists, 2 million values; so its memory, which
+    /// comes from the C++ library, is some hundred MiB at most beside a few times the file. But it
+    /// was not made for files that mean harm, and ends the process where memory is too short to
+    /// destroy its JSON: read files of strangers in a process of its own. Nodes may repeat a mesh,
+    /// up to 64 times the bytes of the file and 256 MiB.
+    ///
+    /// - `source`: the file, read to its end
+    /// - `options`: NULL for sf_gltf_options_default()
+    /// - `allocator`: for the mesh and for reading; NULL for the C library's
+    /// - `mesh`: where the new mesh is left, to be destroyed by the caller; untouched on failure
+    /// - `report`: NULL, or what was passed over; untouched on failure
+    /// - `fault`: NULL, or filled on failure: what is wrong and what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: no glTF 2.0, damaged, coordinates that are not finite, no
+    ///   triangles; SF_ERR_UNSUPPORTED: a required extension that is not served, a build without
+    ///   tinygltf; SF_ERR_OVERFLOW: more than the limits; SF_ERR_MEMORY; SF_ERR_IO: a buffer's file
+    ///   is not there or its name is not plain; SF_ERR_ARGUMENT: a NULL pointer; or what a source
+    ///   returned.
+    /// - cost: one pass; the file is held in memory, its buffers twice for a while.
+    /// - threads: any, on distinct sources; one at a time for each allocator.
+    /// - source: The Khronos Group, "glTF 2.0 Specification", 2021.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_gltf_read(
+        source: sf_source,
+        options: *const sf_gltf_options,
+        allocator: *const sf_allocator,
+        mesh: *mut *mut sf_mesh,
+        report: *mut sf_gltf_report,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a mesh as binary glTF, with a colour for each vertex or without.
+    ///
+    /// Positions are floats in mm; a node turns them to glTF's axes and metres. What sf_gltf_read()
+    /// makes of the file is the same floats again. Colours are given as they are shown on a screen
+    /// (sRGB) and written as light (linear, 16 bits), which is how glTF has them. The material is
+    /// matt and seen from both sides.
+    ///
+    /// - `mesh`: the mesh; what sf_mesh_validate() takes, with triangles
+    /// - `colors`: NULL, or 3 \* vertex_count bytes: red, green, blue of each vertex
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink, no triangles;
+    ///   SF_ERR_OVERFLOW: a coordinate beyond the range of floats, or a file of 4 GiB; or what the
+    ///   sink returned.
+    /// - cost: one pass to check, one to write; 8 KiB of stack, no memory.
+    /// - threads: any, on distinct sinks.
+    /// - source: The Khronos Group, "glTF 2.0 Specification", 2021; IEC 61966-2-1, "sRGB", 1999.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_gltf_write(mesh: sf_mesh_view, colors: *const u8, sink: sf_sink) -> sf_status;
 
     /// Make a path finder for a grid.
     ///
@@ -6913,371 +7965,6 @@ extern "C" {
         uses: *mut sf_material_use,
     ) -> sf_status;
 
-    /// The default bounds: 8 GiB, 1e9 triangles, UINT32_MAX vertices.
-    ///
-    /// - returns: the limits, by value, with struct_size set.
-    /// - cost: constant.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_read_limits_default() -> sf_read_limits;
-
-    /// The mesh format that the extension of a file name stands for.
-    ///
-    /// - `name`: a file name or a path, upper or lower case; NULL is allowed
-    /// - returns: the format; SF_MESH_FORMAT_AUTO when the name ends in none of .stl .obj .ply
-    ///   .off.
-    /// - cost: the length of the name.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_mesh_format_from_name(name: *const c_char) -> sf_mesh_format;
-
-    /// Read a mesh from any source of bytes: STL, OBJ, PLY or OFF.
-    ///
-    /// Coordinates are taken as they are, as mm. Polygons become fans about their first corner.
-    /// What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is
-    /// passed over. STL has no shared vertices, so every facet brings three of its own;
-    /// sf_mesh_merge() joins them.
-    ///
-    /// No count in a file is believed: memory grows as the bytes come. A binary STL file is as long
-    /// as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with
-    /// endsolid; a file that is shorter is refused, because half a part looks like a whole one. So
-    /// are coordinates that are not finite, faces of fewer than three corners, corners that name no
-    /// vertex, and files without a triangle. Numbers are read exactly, whatever the locale.
-    ///
-    /// - `source`: the file; read to where the mesh ends, or somewhat beyond
-    /// - `format`: the format, or SF_MESH_FORMAT_AUTO to judge by the first 4096 bytes
-    /// - `limits`: NULL for sf_read_limits_default()
-    /// - `allocator`: for the mesh and for reading; NULL for the C library's
-    /// - `mesh`: where the new mesh is left, to be destroyed by the caller; untouched on failure
-    /// - `fault`: NULL, or filled on failure: what is wrong, at which line (of text files) and
-    ///   byte, and what to do
-    /// - returns: SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_OVERFLOW: more than `limits`;
-    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source
-    ///   returned.
-    /// - cost: one pass over the file; while it grows, memory for two and a half times the mesh.
-    /// - threads: any, on distinct sources; one at a time for each allocator.
-    /// - source: 3D Systems, "StereoLithography Interface Specification", 1989; Wavefront, "Object
-    ///   Files"; G. Turk, "The PLY Polygon File Format", 1994; the Geomview manual, "OFF Files".
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_mesh_read(
-        source: sf_source,
-        format: sf_mesh_format,
-        limits: *const sf_read_limits,
-        allocator: *const sf_allocator,
-        mesh: *mut *mut sf_mesh,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Write a mesh as binary STL, OBJ or binary little-endian PLY.
-    ///
-    /// OBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that
-    /// read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that
-    /// are equal stay equal. Everything is checked before the first byte is written.
-    ///
-    /// - `mesh`: the mesh; what sf_mesh_validate() takes
-    /// - `format`: SF_MESH_FORMAT_STL, _OBJ or _PLY
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
-    ///   SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF; SF_ERR_OVERFLOW: for STL, a coordinate beyond the
-    ///   range of floats or more than UINT32_MAX triangles; or what the sink returned.
-    /// - cost: one pass to check, one to write; 4 KiB of stack, no memory.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_mesh_write(mesh: sf_mesh_view, format: sf_mesh_format, sink: sf_sink) -> sf_status;
-
-    /// Whether this build writes and reads PNG.
-    ///
-    /// - returns: 1 when it does; 0 when stacks are written as PBM, PNG stacks cannot be read, and
-    ///   sf_png_write_rgb() does not work.
-    /// - cost: constant.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_stack_has_png() -> c_int;
-
-    /// Write a grid as a stack: layer_00000.png and so on from the bottom, and last stack.json.
-    ///
-    /// Each picture has nx by ny pixels, one bit of grey each: white is solid. It shows the layer
-    /// from above: x to the right, y upward, so its top row is the largest y. In a build without
-    /// PNG the pictures are PBM (P4), layer_00000.pbm. stack.json says it all:
-    ///
-    /// ```text
-    /// {"format": "libsf-stack", "version": 1, "units": "mm",
-    ///  "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
-    ///              "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
-    ///  "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
-    ///                   "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer",
-    ///                   "phase_layer": 0},
-    ///  "layers": {"pattern": "layer_%05u.png", "count": nz},
-    ///  "solid": "white", "row_order": "top_is_max_y"}
-    /// ```
-    ///
-    /// Its numbers read back as the same doubles. angle_deg is for people: the reader takes
-    /// angle_rad; box3 has neither. bridge_mm is there only where the rule has bridges, and then
-    /// the version is 2. bed_layer is null for SF_BED_AUTO. phase_layer is the layer that the
-    /// rule's phase counts from (an octagon's steps differ from layer to layer); so far that is
-    /// always 0, so a reader takes nothing else, and 0 where it is absent. A folder without
-    /// stack.json is no stack, so a call that fails leaves none in a folder that had none; over
-    /// sf_directory_write() it leaves nothing at all.
-    ///
-    /// - `grid`: the shape
-    /// - `info`: the rule it was made under, or NULL
-    /// - `folder`: where to; needs `begin` and `commit`
-    /// - `task`: NULL, or progress per layer and a cancel between layers
-    /// - `fault`: NULL, or filled on failure with the file that could not be written
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a rule, angle or bed layer that there
-    ///   is not; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: libspng refuses what it should
-    ///   take; or what the folder or its sinks returned.
-    /// - cost: one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib
-    ///   take some 300 KiB from the C library, because they know no other allocators.
-    /// - threads: any that only read the grid, on distinct folders.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_stack_write(
-        grid: *const sf_grid,
-        info: *const sf_stack_info,
-        folder: sf_folder,
-        task: *mut sf_task,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Read a stack back: the grid, its lattice, and the rule it was made under.
-    ///
-    /// Layers of materials (\<sf/layers.h\>) are read as what is solid. Pictures may also be grey
-    /// of 2 to 8 bits, as picture editors save them: half-way and above is solid. Before memory is
-    /// taken for the grid, every picture that stack.json claims must be there with the claimed
-    /// size. Fields of stack.json that are not known are passed over.
-    ///
-    /// - `folder`: where from; needs `open` and `close`
-    /// - `allocator`: for the grid and for reading; NULL for the C library's
-    /// - `task`: NULL, or progress per layer and a cancel between layers
-    /// - `grid`: where the new grid is left, to be destroyed by the caller; untouched on failure
-    /// - `info`: NULL, or where the rule is left; untouched on failure
-    /// - `fault`: NULL, or filled on failure: which file, what is wrong, what to do
-    /// - returns: SF_OK; SF_ERR_FORMAT: stack.json or a picture is damaged, or they disagree;
-    ///   SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a
-    ///   build without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine
-    ///   addresses; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer;
-    ///   SF_ERR_INTERNAL: libspng refuses what it should take; SF_ERR_IO: a source that claims more
-    ///   than it was asked for; or what the folder or its sources returned.
-    /// - cost: two opens of each picture, one pass over their bytes. jansson, libspng and zlib take
-    ///   memory from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
-    /// - threads: any, on distinct folders; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_stack_read(
-        folder: sf_folder,
-        allocator: *const sf_allocator,
-        task: *mut sf_task,
-        grid: *mut *mut sf_grid,
-        info: *mut sf_stack_info,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Write a certificate as JSON, for sf-verify and whoever else wants to check it.
-    ///
-    /// docs/certificate.md says what each field holds. The last one is the SHA-256 of every byte
-    /// before it, so the file is to be kept as it is: the same JSON in other words is refused.
-    ///
-    /// - `certificate`: the certificate
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
-    /// - cost: the length of the file; 12 KiB of stack, no memory.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_certificate_write(certificate: *const sf_certificate, sink: sf_sink) -> sf_status;
-
-    /// Write a colour picture as PNG, eight bits of red, green and blue a pixel.
-    ///
-    /// - `pixels`: 3 \* width \* height bytes: red, green, blue, row after row from the top
-    /// - `width`: 1..SF_EXTENT_MAX
-    /// - `height`: 1..SF_EXTENT_MAX
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer or a size outside its range;
-    ///   SF_ERR_UNSUPPORTED: a build without PNG; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses
-    ///   what it should take; or what the sink returned.
-    /// - cost: one pass, mostly in the compressor, which takes its memory from the C library.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_png_write_rgb(pixels: *const u8, width: u32, height: u32, sink: sf_sink) -> sf_status;
-
-    /// Open a file for reading.
-    ///
-    /// - `path`: path of the file, as the C library takes it
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `file`: where the open file is left, to be closed by the caller; untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: it is not there, is a folder, or may not be read;
-    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_file_open(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        file: *mut *mut sf_file,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The source that reads an open file, from where it stands to its end.
-    ///
-    /// - `file`: the file; NULL gives a source without `read`
-    /// - returns: the source; valid until the file is closed. It returns SF_ERR_IO when the disk
-    ///   fails.
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_file_source(file: *mut sf_file) -> sf_source;
-
-    /// Close a file.
-    ///
-    /// - `file`: the file, freed; NULL does nothing
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_file_close(file: *mut sf_file);
-
-    /// Begin to write a file, without touching what stands at its path.
-    ///
-    /// The bytes go to a new file beside it, PATH.sf-PROCESS-NUMBER.tmp, until sf_save_commit()
-    /// renames that. A symbolic link at the path is replaced by the file, not followed.
-    ///
-    /// - `path`: path of the file; what stands there must be an ordinary file or nothing
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `save`: where the object is left, for sf_save_commit() or sf_save_abort(); untouched on
-    ///   failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: a folder or a device stands there, or no file can be made
-    ///   beside it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_save_begin(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        save: *mut *mut sf_save,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The sink that writes a file being saved.
-    ///
-    /// - `save`: the file; NULL gives a sink without `write`
-    /// - returns: the sink; valid until the commit or abort. After a failed write it takes nothing
-    ///   more.
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_save_sink(save: *mut sf_save) -> sf_sink;
-
-    /// Publish a file: sync it to the disk, rename it over its path, sync the folder.
-    ///
-    /// Whoever opens the path at any time finds the old file or the new one, whole; on failure the
-    /// old one, and the new one is gone. The new file has the access rights of the old.
-    ///
-    /// - `save`: the file; freed, whatever is returned
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: a write or the sync failed, or the path cannot be replaced;
-    ///   SF_ERR_ARGUMENT: NULL.
-    /// - cost: a sync of the disk.
-    /// - threads: one per file.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_save_commit(save: *mut sf_save, fault: *mut sf_fault) -> sf_status;
-
-    /// Drop a file being saved; what stands at its path stays.
-    ///
-    /// - `save`: the file, freed; NULL does nothing
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_save_abort(save: *mut sf_save);
-
-    /// Open a folder for reading its files.
-    ///
-    /// - `path`: path of the folder
-    /// - `allocator`: for the object and the files it opens; NULL for the C library's
-    /// - `directory`: where the object is left, for sf_directory_close(); untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: it is not there or no folder; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a
-    ///   NULL pointer or an empty path.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_read(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        directory: *mut *mut sf_directory,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Begin to write a folder of files, without touching what stands at its path.
-    ///
-    /// The files go to a new folder beside it, PATH.sf-PROCESS-NUMBER.tmp, until
-    /// sf_directory_commit() renames that. Only an empty folder or an earlier stack is replaced: a
-    /// folder that holds stack.json, pictures named like layers, and nothing else.
-    ///
-    /// - `path`: path of the folder to be; its parent exists
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `directory`: where the object is left, for sf_directory_commit() or sf_directory_close();
-    ///   untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: something else stands there, or no folder can be made beside
-    ///   it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
-    /// - cost: the number of entries of the folder that stands there.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_write(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        directory: *mut *mut sf_directory,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The folder that a stack is read from or written to.
-    ///
-    /// File names are plain: no separators, no "..". Each file is synced to the disk as it is
-    /// committed.
-    ///
-    /// - `directory`: the folder; NULL gives a folder without functions
-    /// - returns: the folder; valid until the commit or close. One file is written at a time;
-    ///   `begin` returns SF_ERR_ARGUMENT for a second one, for a name that is not plain, and for a
-    ///   folder being read.
-    /// - cost: constant.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    pub fn sf_directory_folder(directory: *mut sf_directory) -> sf_folder;
-
-    /// Publish a folder: rename it to its path, in place of an empty folder or an earlier stack.
-    ///
-    /// An earlier stack is first renamed aside (PATH.sf-PROCESS-NUMBER.old) and removed when the
-    /// new one stands: a crash in between leaves both, whole. On failure the old one stays and the
-    /// new one is gone.
-    ///
-    /// - `directory`: a folder from sf_directory_write(); freed, whatever is returned
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: the path cannot be replaced, or now holds something else;
-    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: NULL, or a folder being read.
-    /// - cost: a sync of the disk, and the number of files of an earlier stack.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_commit(directory: *mut sf_directory, fault: *mut sf_fault) -> sf_status;
-
-    /// Close a folder being read, or drop one being written; what stands at its path stays.
-    ///
-    /// - `directory`: the folder, freed; NULL does nothing
-    /// - cost: for one being written, the number of its files; it needs no memory.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    pub fn sf_directory_close(directory: *mut sf_directory);
-
     /// Begin to write layers.
     ///
     /// Pixels are nx by ny, x to the right and y upward, as in sf_stack_write(). Entry 0 of the
@@ -7569,7 +8256,9 @@ extern "C" {
     ///
     /// Of a point within the shape the place found lies within 1e-10 of the cage's diagonal of it.
     /// Where the shape overlaps itself it is any of them. Of a point outside the place found is
-    /// near to the nearest one, if that is within reach.
+    /// near to the nearest one, if that is within reach. Where cells are folded flat, so that
+    /// endlessly many places are equally near, the search ends after a few thousand tries: with the
+    /// nearest seen, or none.
     ///
     /// - `locator`: the locator
     /// - `count`: how many points; may be 0
@@ -7583,7 +8272,7 @@ extern "C" {
     /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a reach that is no number of 0 or more, a
     ///   point that is not finite; SF_ERR_MEMORY; SF_ERR_CANCELLED: the task was cancelled before.
     /// - cost: some ten microseconds for each point; hundreds close to what is irregular, or
-    ///   outside within reach.
+    ///   outside within reach; some tens of milliseconds at worst, where cells are folded flat.
     /// - threads: any, while nobody updates the limit; one at a time for each allocator.
     /// - since: 0.1
     #[must_use]

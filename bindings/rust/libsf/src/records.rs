@@ -622,6 +622,54 @@ impl VoidKind {
     }
 }
 
+/// Mesh file formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum MeshFormat {
+    /// reading only: judge by the bytes
+    Auto,
+    /// text and binary in, binary out
+    Stl,
+    /// in and out
+    Obj,
+    /// text and both binary orders in, binary little-endian out
+    Ply,
+    /// text, in only
+    Off,
+    /// .glb and .gltf in, where [`sf_gltf_is_served()`](crate::sys::sf_gltf_is_served); .glb out: \<sf/gltf.h\>
+    Gltf,
+    /// a number that has no name here
+    Other(i32),
+}
+
+impl MeshFormat {
+    #[allow(dead_code)]
+    pub(crate) fn c(self) -> sys::sf_mesh_format {
+        match self {
+            MeshFormat::Auto => sys::SF_MESH_FORMAT_AUTO,
+            MeshFormat::Stl => sys::SF_MESH_FORMAT_STL,
+            MeshFormat::Obj => sys::SF_MESH_FORMAT_OBJ,
+            MeshFormat::Ply => sys::SF_MESH_FORMAT_PLY,
+            MeshFormat::Off => sys::SF_MESH_FORMAT_OFF,
+            MeshFormat::Gltf => sys::SF_MESH_FORMAT_GLTF,
+            MeshFormat::Other(number) => number,
+        }
+    }
+
+    #[allow(dead_code)]
+    pub(crate) fn of(c: sys::sf_mesh_format) -> MeshFormat {
+        match c {
+            sys::SF_MESH_FORMAT_AUTO => MeshFormat::Auto,
+            sys::SF_MESH_FORMAT_STL => MeshFormat::Stl,
+            sys::SF_MESH_FORMAT_OBJ => MeshFormat::Obj,
+            sys::SF_MESH_FORMAT_PLY => MeshFormat::Ply,
+            sys::SF_MESH_FORMAT_OFF => MeshFormat::Off,
+            sys::SF_MESH_FORMAT_GLTF => MeshFormat::Gltf,
+            number => MeshFormat::Other(number),
+        }
+    }
+}
+
 /// What matter a path may end on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -750,50 +798,6 @@ impl MaskKind {
             sys::SF_MASK_SLICE => MaskKind::Slice,
             sys::SF_MASK_ISOTROPIC => MaskKind::Isotropic,
             number => MaskKind::Other(number),
-        }
-    }
-}
-
-/// Mesh file formats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum MeshFormat {
-    /// reading only: judge by the bytes
-    Auto,
-    /// text and binary in, binary out
-    Stl,
-    /// in and out
-    Obj,
-    /// text and both binary orders in, binary little-endian out
-    Ply,
-    /// text, in only
-    Off,
-    /// a number that has no name here
-    Other(i32),
-}
-
-impl MeshFormat {
-    #[allow(dead_code)]
-    pub(crate) fn c(self) -> sys::sf_mesh_format {
-        match self {
-            MeshFormat::Auto => sys::SF_MESH_FORMAT_AUTO,
-            MeshFormat::Stl => sys::SF_MESH_FORMAT_STL,
-            MeshFormat::Obj => sys::SF_MESH_FORMAT_OBJ,
-            MeshFormat::Ply => sys::SF_MESH_FORMAT_PLY,
-            MeshFormat::Off => sys::SF_MESH_FORMAT_OFF,
-            MeshFormat::Other(number) => number,
-        }
-    }
-
-    #[allow(dead_code)]
-    pub(crate) fn of(c: sys::sf_mesh_format) -> MeshFormat {
-        match c {
-            sys::SF_MESH_FORMAT_AUTO => MeshFormat::Auto,
-            sys::SF_MESH_FORMAT_STL => MeshFormat::Stl,
-            sys::SF_MESH_FORMAT_OBJ => MeshFormat::Obj,
-            sys::SF_MESH_FORMAT_PLY => MeshFormat::Ply,
-            sys::SF_MESH_FORMAT_OFF => MeshFormat::Off,
-            number => MeshFormat::Other(number),
         }
     }
 }

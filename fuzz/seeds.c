@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Makes what fuzz targets begin with: for each of them a folder of small inputs, the good files
+// that the library's own writers make, and for the api target strings of bytes.
+//
+// usage: fuzz-make-seeds FOLDER
+
+#include "world.h"
+
+#include <errno.h>
+#include <sys/stat.h>
+
+static char root[3000];
+
+static void fail(const char *what)
+{
+    perror(what);
+    exit(1);
+}
+
+static void save(const char *target, const char *name, const void *bytes, size_t size)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", root, target);
+    if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+        fail(path);
+    }
+    snprintf(path, sizeof path, "%s/%s/%s", root, target, name);
+    FILE *file = fopen(path, "wb");
+    if (file == NULL || (size > 0 && fwrite(bytes, 1, size, file) != size) || fclose(file) != 0) {
+        fail(path);
+    }
+}
+
+typedef struct bytes {
+    unsigned char *data;
+    size_t size;
+} bytes;
+
+static sf_status gather(void *user, const void *data, size_t size)
+{
+    bytes *b = user;
+    b->data = realloc(b->data, b->size + size + 1);
+    memcpy(b->data + b->size, data, size);
+    b->size += size;
+    return SF_OK;
+}
+
+static void save_good(sf_status status, const char *target, const char *name, bytes *b)
+{
+    if (status != SF_OK) {
+        fprintf(stderr, "%s/%s: %s\n", target, name, sf_status_name(status));
+        exit(1);
+    }
+    save(target, name, b->data, b->size);
+    free(b->data);
+}
+
+// The kind is one that the world can make; another seed of bytes makes another object.
+static void *make(world *w, const char *kind, uint32_t seed)
+{
+    static uint8_t entropy[256]; // it is drawn from until the world ends
+    for (uint32_t i = 0; i < sizeof entropy; i++) {
+        entropy[i] = (uint8_t)((i * 2654435761u + seed * 40503u) >> 13);
+    }
+    world_begin(w, entropy, sizeof entropy, 1);
+    void *object = world_need(w, kind);
+    if (object == NULL) {
+        fprintf(stderr, "no %s comes of seed %u\n", kind, seed);
+        exit(1);
+    }
+    return object;
+}
+
+static void save_meshes(world *w, uint32_t seed)
+{
+    static const char *const names[] = {"", "stl", "obj", "ply"};
+    for (int format = SF_MESH_FORMAT_STL; format <= SF_MESH_FORMAT_PLY; format++) {
+        bytes b = {NULL, 0};
+        char name[64];
+        sf_sink sink = {gather, &b};
+        const sf_mesh *mesh = make(w, "sf_mesh", seed);
+        sf_status status = sf_mesh_write(sf_mesh_get_view(mesh), (sf_mesh_format)format, sink);
+        snprintf(name, sizeof name, "%u.%s", seed, names[format]);
+        save_good(status, "mesh_read", name, &b);
+        world_end(w);
+    }
+}
+
+static void save_cages(world *w, uint32_t seed)
+{
+    for (int binary = 0; binary < 2; binary++) {
+        bytes b = {NULL, 0};
+        char name[64];
+        sf_sink sink = {gather, &b};
+        sf_cage_view view = sf_cage_get_view(make(w, "sf_cage", seed));
+        snprintf(name, sizeof name, "%u-%s.vtk", seed, binary ? "binary" : "text");
+        save_good(sf_cage_write_vtk(&view, binary, NULL, sink, NULL), "cage_read", name, &b);
+        world_end(w);
+    }
+}
+
+static void save_session(world *w, uint32_t seed)
+{
+    bytes b = {NULL, 0};
+    char name[64];
+    sf_sink sink = {gather, &b};
+    snprintf(name, sizeof name, "%u.session", seed);
+    save_good(sf_session_write(make(w, "sf_session", seed), sink), "session_read", name, &b);
+    world_end(w);
+}
+
+static void save_words(void)
+{
+    static const char cube[] =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+    static const char off[] = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n4 0 1 2 3\n";
+    static const char medit[] =
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n"
+        "0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 7\nEnd\n";
+    static const char mfem[] = "MFEM mesh v1.0\n\ndimension\n3\n\nelements\n1\n1 4 0 1 2 3\n\n"
+                               "boundary\n0\n\nvertices\n4\n3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    static const char document[] =
+        "{\"format\":\"libsf-stack\",\"version\":1,\"units\":\"mm\",\"lattice\":{\"nx\":13,\"ny\":"
+        "5,"
+        "\"nz\":2,\"pitch_mm\":[0.1,0.2],\"layer_mm\":0.3,\"origin_mm\":[1,-2,3.5]},\"rule\":null,"
+        "\"layers\":{\"pattern\":\"layer_%05u.pbm\",\"count\":2},\"solid\":\"white\","
+        "\"row_order\":\"top_is_max_y\"}";
+    static const char picture[] = "\2P4\n13 5\n0123456789";
+    char first[sizeof document] = "";
+    memcpy(first + 1, document, sizeof document - 1);
+    save("mesh_read", "text.stl", cube, sizeof cube - 1);
+    save("mesh_read", "text.off", off, sizeof off - 1);
+    save("cage_read", "one.mesh", medit, sizeof medit - 1);
+    save("cage_read", "one.mfem", mfem, sizeof mfem - 1);
+    save("stack_read", "document", first, sizeof document);
+    save("stack_read", "pbm", picture, sizeof picture - 1);
+}
+
+// Strings of bytes in which every function is chosen; the engine finds better ones.
+static void save_calls(void)
+{
+    uint8_t string[400];
+    for (uint32_t i = 0; i < 48; i++) {
+        uint64_t state = 0x9e3779b97f4a7c15u * (i + 1);
+        char name[32];
+        for (size_t j = 0; j < sizeof string; j++) {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            string[j] = (uint8_t)(state >> 24);
+        }
+        snprintf(name, sizeof name, "%02u", i);
+        save("api", name, string, sizeof string);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2 || strlen(argv[1]) >= sizeof root) {
+        fprintf(stderr, "usage: fuzz-make-seeds FOLDER\n");
+        return 2;
+    }
+    strcpy(root, argv[1]);
+    if (mkdir(root, 0777) != 0 && errno != EEXIST) {
+        fail(root);
+    }
+    world *w = calloc(1, sizeof *w);
+    for (uint32_t seed = 1; seed <= 3; seed++) {
+        save_meshes(w, seed);
+        save_cages(w, seed);
+        save_session(w, seed);
+    }
+    save_words();
+    save_calls();
+    free(w);
+    return 0;
+}
