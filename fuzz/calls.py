@@ -374,6 +374,7 @@ def write(path):
                       f'{SHAPES.rare.get(f["name"], 1)}}},' for f in functions)
     with open(path, "w", encoding="utf-8") as file:
         file.write("// Written by fuzz/calls.py.\n\n#include \"world.h\"\n\n")
+        file.writelines(f"#include <{h['name']}>\n" for h in API["headers"])
         file.write("\n".join(WRITTEN[n] for n in MADE) + "\n" + "\n".join(ARRAYS.values()) + "\n")
         file.write("\n".join(calls) + "\n" + ends())
         file.write(f"\nconst world_call world_calls[] = {{\n{table}\n}};\n")

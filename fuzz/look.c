@@ -156,6 +156,19 @@ static void look_at_stand(const world *w, mix *m, const sf_stand *stand)
     add_count(m, sf_stand_describe(stand).rounds);
 }
 
+static void look_at_contours(mix *m, const sf_contour_stack *stack)
+{
+    for (uint32_t k = 0; k < sf_contour_stack_count(stack); k++) {
+        sf_contours c;
+        double heights[2];
+        if (sf_contour_stack_layer(stack, k, &c, &heights[0], &heights[1]) == SF_OK) {
+            add(m, heights, sizeof heights);
+            add(m, c.starts, (c.contour_count + 1) * sizeof *c.starts);
+            add(m, c.points_mm, 2 * c.starts[c.contour_count] * sizeof *c.points_mm);
+        }
+    }
+}
+
 uint64_t world_look(const world *w, const char *kind, const void *object)
 {
     mix m = {0xcbf29ce484222325u};
@@ -172,6 +185,8 @@ uint64_t world_look(const world *w, const char *kind, const void *object)
     } else if (strcmp(kind, "sf_session") == 0) {
         sf_sink sink = {sink_mix, &m};
         add_count(&m, sf_session_write(object, sink) == SF_OK);
+    } else if (strcmp(kind, "sf_contour_stack") == 0) {
+        look_at_contours(&m, object);
     } else if (strcmp(kind, "sf_stance") == 0) {
         look_at_stance(&m, object);
     } else if (strcmp(kind, "sf_weights") == 0) {

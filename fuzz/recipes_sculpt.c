@@ -93,6 +93,18 @@ static void *make_session(world *w)
     return session;
 }
 
+static void *make_contour_stack(world *w)
+{
+    sf_contour_stack *stack = NULL;
+    if (sf_contour_stack_create(0, &w->allocator, &stack) == SF_OK) {
+        for (uint32_t k = draw_below(&w->in, 4); k > 0; k--) {
+            const sf_contours contours = world_sf_contours(w);
+            (void)!sf_contour_stack_add(stack, 5 - k, &contours, NULL);
+        }
+    }
+    return stack;
+}
+
 static void *make_stand(world *w)
 {
     sf_stand *stand = NULL;
@@ -182,6 +194,7 @@ static const struct {
     {"sf_cage_history", world_make_history},
     {"sf_certificate", world_make_certificate},
     {"sf_checker", world_make_checker},
+    {"sf_contour_stack", make_contour_stack},
     {"sf_curve", world_make_curve},
     {"sf_diffuser", make_diffuser},
     {"sf_directory", make_directory},

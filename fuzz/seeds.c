@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Makes what fuzz targets begin with: for each of them a folder of small inputs, the good files
-// that the library's own writers make, and for the api target strings of bytes.
+// that the library's own writers make, and for the targets api and chip strings of bytes.
 //
 // usage: fuzz-make-seeds FOLDER
 
 #include "world.h"
+
+#include <sf/gltf.h>
 
 #include <errno.h>
 #include <sys/stat.h>
@@ -86,6 +88,17 @@ static void save_meshes(world *w, uint32_t seed)
     }
 }
 
+static void save_scene(world *w, uint32_t seed)
+{
+    bytes b = {NULL, 0};
+    char name[64];
+    sf_sink sink = {gather, &b};
+    const sf_mesh *mesh = make(w, "sf_mesh", seed);
+    snprintf(name, sizeof name, "%u.glb", seed);
+    save_good(sf_gltf_write(sf_mesh_get_view(mesh), NULL, sink), "gltf_read", name, &b);
+    world_end(w);
+}
+
 static void save_cages(world *w, uint32_t seed)
 {
     for (int binary = 0; binary < 2; binary++) {
@@ -152,6 +165,7 @@ static void save_calls(void)
         }
         snprintf(name, sizeof name, "%02u", i);
         save("api", name, string, sizeof string);
+        save("chip", name, string, sizeof string);
     }
 }
 
@@ -168,6 +182,7 @@ int main(int argc, char **argv)
     world *w = calloc(1, sizeof *w);
     for (uint32_t seed = 1; seed <= 3; seed++) {
         save_meshes(w, seed);
+        save_scene(w, seed);
         save_cages(w, seed);
         save_session(w, seed);
     }

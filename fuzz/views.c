@@ -29,13 +29,6 @@ size_t points_of(const sf_cage *cage)
     return cage != NULL ? sf_cage_get_view(cage).point_count : 0;
 }
 
-size_t values_of(const sf_cage *cage, size_t channel)
-{
-    sf_cage_view none = {0};
-    sf_cage_view v = cage != NULL ? sf_cage_get_view(cage) : none;
-    return channel < v.channel_count ? v.channels[channel].value_count : 0;
-}
-
 sf_mesh_view world_sf_mesh_view(world *w)
 {
     sf_mesh_view v = {NULL, 0, NULL, 0};
@@ -48,6 +41,23 @@ sf_mesh_view world_sf_mesh_view(world *w)
     }
     const sf_mesh *mesh = world_need(w, "sf_mesh");
     return mesh != NULL ? sf_mesh_get_view(mesh) : v;
+}
+
+sf_contours world_sf_contours(world *w)
+{
+    sf_contours c = {NULL, NULL, draw_below(&w->in, 4)};
+    size_t *starts = world_scratch(w, 4 * sizeof *starts);
+    for (size_t i = 1; i <= 3; i++) {
+        starts[i] =
+            draw_odd(&w->in, 32) ? draw_byte(&w->in) : starts[i - 1] + draw_below(&w->in, 6);
+    }
+    size_t most = 0; // what is read of points before a fall of starts is seen
+    for (size_t i = 0; i <= c.contour_count; i++) {
+        most = starts[i] > most ? starts[i] : most;
+    }
+    c.starts = starts;
+    c.points_mm = world_places(w, 2 * most);
+    return c;
 }
 
 sf_property world_sf_property(world *w)

@@ -184,6 +184,7 @@ sf_slice world_layer(world *w);
 sf_rect world_sf_rect(world *w);
 sf_lattice world_sf_lattice(world *w);
 sf_mesh_view world_sf_mesh_view(world *w);
+sf_contours world_sf_contours(world *w);
 sf_cage_view world_sf_cage_view(world *w);
 sf_tets_view world_sf_tets_view(world *w);
 sf_channel world_sf_channel(world *w);
@@ -239,7 +240,6 @@ size_t world_voxels(const world *w);
 size_t voxels_of(const sf_grid *grid);
 size_t handles_of(const sf_weights *weights);
 size_t points_of(const sf_cage *cage);
-size_t values_of(const sf_cage *cage, size_t channel);
 size_t points_of_refinement(const sf_refinement *refinement);
 
 #endif

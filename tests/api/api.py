@@ -82,7 +82,8 @@ def is_whole(api):
     if not LIBRARIES:
         return "there are no shared libraries to look into"
     bad = []
-    for path in LIBRARIES:
+    # Adapters have headers of their own, which are not bound.
+    for path in [p for p in LIBRARIES if re.match(r"(lib)?sf(-io)?\.", os.path.basename(p))]:
         output = subprocess.run([NM, "-D", path], capture_output=True, text=True, check=True).stdout
         there = set(re.findall(r"^[0-9a-f]+ T (sf_\w+)", output, re.M))
         which = "sf-io" if "sf-io" in os.path.basename(path) else "sf"
@@ -172,7 +173,6 @@ def are_fuzzed(api):
     found = fuzz.table()
     bad = [f"no fuzz target calls {n}, and fuzz/shapes.txt gives no reason" for n in sorted(found)
            if not found[n] and not fuzz.SHAPES.left.get(n)]
-    bad += [f"fuzz/shapes.txt leaves out {n}, which a target calls" for n in sorted(fuzz.SHAPES.left) if found.get(n)]
     bad += [f"fuzz/shapes.txt has to say how much is behind {key}" for key in fuzz.unsaid()]
     return bad + [f"fuzz/shapes.txt speaks of {key}, which there is not" for key in fuzz.stale()]
 

@@ -54,6 +54,10 @@ TREE = {
     "libsf/base/do.c": SOURCE,
     "libsf/base/meson.build": "sources += files('do.c')\n",
     "libsf/package/libsfConfig.cmake.in": "sf_place_(do::do do)\n",
+    "fuzz/calls.py": "# Nothing is called.\n",
+    "fuzz/shapes.txt": "# Nothing is said.\n",
+    "fuzz/world.h": "// SPDX-License-Identifier: MIT\n// What fuzz targets share.\n\n#ifndef SF_FUZZ_WORLD_H\n"
+                    "#define SF_FUZZ_WORLD_H\n\n#endif\n",
     "libsf/include/meson.build": "sf_header_names = ['base']\n",
     "CITATION.cff": "version: 1.2.3\n",
     "CHANGELOG.md": "# Changelog\n\n## [1.2.3] - today\n",
