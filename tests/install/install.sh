@@ -7,6 +7,9 @@ set -u
 meson=$1 build=$2 version=$3 sf=$4
 shift 4
 compiler=$*
+# CMake wants the compiler alone, without what remembers its work or its options.
+case ${1##*/} in ccache | sccache | distcc) shift ;; esac
+program=$1
 source=$(cd "$(dirname "$0")" && pwd)
 here=$(mktemp -d) || exit 99
 trap 'rm -rf "$here"' EXIT
@@ -100,7 +103,7 @@ by_cmake() {
     [ "$1" = shared ] || static=ON
     {
         cmake -S "$source" -B "$here/cmake-$1" -DVERSION="$version" -DSTATIC=$static \
-            -DCMAKE_PREFIX_PATH="$here/whole" -DCMAKE_C_COMPILER="${compiler%% *}" &&
+            -DCMAKE_PREFIX_PATH="$here/whole" -DCMAKE_C_COMPILER="$program" &&
             cmake --build "$here/cmake-$1" && "$here/cmake-$1/consumer"
     } >"$here/log" 2>&1
 }
@@ -108,7 +111,7 @@ by_cmake() {
 # A version that is not there must be refused, or a program would find out while it runs.
 cmake_refuses() {
     cmake -S "$source" -B "$here/refused" -DVERSION="$1" -DCMAKE_PREFIX_PATH="$here/whole" \
-        -DCMAKE_C_COMPILER="${compiler%% *}" >"$here/log" 2>&1 && return 1
+        -DCMAKE_C_COMPILER="$program" >"$here/log" 2>&1 && return 1
     grep -q 'version: ' "$here/log"
 }
 
