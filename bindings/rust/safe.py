@@ -35,7 +35,7 @@ STRUCTS = {"sf_carve_report": "CarveReport", "sf_drain": "Drain", "sf_drain_repo
            "sf_session_counts": "SessionCounts", "sf_cage_report": "CageReport", "sf_cage_reading": "CageReading",
            "sf_cage_history_state": "CageHistoryState", "sf_limit_report": "LimitReport",
            "sf_sample_report": "SampleReport", "sf_tets_report": "TetsReport", "sf_diffusion": "Diffusion",
-           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport", "sf_path": "PathReport",
+           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport",
            "sf_finding_cost": "FindingCost", "sf_slice_sums": "SliceSums", "sf_component": "Component",
            "sf_bridge": "Bridge", "sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
            "sf_check_report": "CheckReport", "sf_finding": "Finding", "sf_void": "Void",
@@ -62,7 +62,7 @@ NONE = {"sf_printing_report.bed_layer", "sf_printing_report.floating_layer", "sf
         "sf_steepest.layer", "sf_trim_report.bed_layer", "sf_grow_report.bed_layer",
         "sf_finding_cost.grow_voxels", "sf_repair_report.bed_layer", "sf_repair_report.trim_cost", "sf_repair_report.grow_cost"}
 # What callers hand in as well: they are turned back.
-BOTH_WAYS = {"sf_rect", "sf_box"}
+BOTH_WAYS = {"sf_rect", "sf_box", "sf_finding", "sf_finding_cost"}
 NUMBERS = {"uint8_t": "u8", "uint16_t": "u16", "int32_t": "i32", "uint32_t": "u32", "uint64_t": "u64",
            "size_t": "usize", "double": "f64"}
 HEAD = """// SPDX-License-Identifier: MIT
@@ -226,10 +226,23 @@ def has_floats(s, api):
         has_floats(part, api) for part in api["structs"] if part["name"] in inner)
 
 
+def turned_back(s, f):
+    """A field in Rust as C has it."""
+    kind, value = field(s, f)[0], f"self.{rust_name(f)}"
+    if kind == "bool":
+        return f"{value}.into()"
+    if kind.startswith("Option"):
+        return f"{value}.unwrap_or({kind[7:-1]}::MAX)"
+    if kind in ENUMS.values() or kind in STRUCTS.values():
+        return f"{value}.c()"
+    return value
+
+
 def struct(s, api):
     name = STRUCTS[s["name"]]
     traits = "Clone, Copy, Debug, PartialEq" + ("" if has_floats(s, api) else ", Eq, Hash")
-    traits += ", Default" if s["name"] in BOTH_WAYS else ""
+    simple = all(field(s, f)[0] in NUMBERS.values() for f in s["fields"])
+    traits += ", Default" if s["name"] in BOTH_WAYS and simple else ""
     text = f"{comment(s['doc'], api)}#[derive({traits})]\npub struct {name} {{\n"
     made = ""
     for f in s["fields"]:
@@ -241,7 +254,7 @@ def struct(s, api):
              f"    pub(crate) fn of(c: &sys::{s['name']}) -> {name} {{\n"
              f"        {name} {{\n{made}        }}\n    }}\n")
     if s["name"] in BOTH_WAYS:
-        back = "".join(f"            {f['name']}: self.{f['name']},\n" for f in s["fields"])
+        back = "".join(f"            {rust_name(f)}: {turned_back(s, f)},\n" for f in s["fields"])
         text += (f"\n    pub(crate) fn c(&self) -> sys::{s['name']} {{\n        sys::{s['name']} {{\n{back}"
                  "        }\n    }\n")
     return text + "}\n"

@@ -12,7 +12,7 @@ use std::ptr::{self, NonNull};
 use crate::error::{check, Result};
 use crate::rule::{bed, Placed};
 use crate::task::run;
-use crate::{sys, CheckReport, Error, ErrorKind, Finding, Grid, Lattice, Rule, Slice, Task};
+use crate::{sys, CheckReport, Error, ErrorKind, Finding, Grid, Lattice, Rule, Run, Slice, Task};
 use crate::{Void, VoidsReport};
 
 /// How a check runs.
@@ -239,6 +239,12 @@ impl Checker {
     #[doc = words!(sf_checker_push)]
     pub fn push(&mut self, layer: Slice<'_>) -> Result<()> {
         check(unsafe { sys::sf_checker_push(self.c.as_ptr(), layer.c()) })
+    }
+
+    #[doc = words!(sf_checker_push_runs: runs)]
+    pub fn push_runs(&mut self, runs: &[Run]) -> Result<()> {
+        let list = crate::plain::first(runs);
+        check(unsafe { sys::sf_checker_push_runs(self.c.as_ptr(), list, runs.len()) })
     }
 
     #[doc = words!(sf_checker_push_grey: row_bytes, threshold)]

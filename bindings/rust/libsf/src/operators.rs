@@ -10,7 +10,7 @@ use std::ptr;
 use crate::error::{check, Result};
 use crate::task::{run, run_quietly};
 use crate::{sys, ErrorKind, Grid, GrowReport, Lattice, PreserveMode, PreserveReport};
-use crate::{RepairReport, Steepest, Task, Terms, TrimReport, VoxelBox};
+use crate::{RepairReport, Rule, Steepest, Task, Terms, TrimReport, VoxelBox};
 
 /// What a call said, and where it could not be had, what is in the way, for which it is made again.
 fn judged(
@@ -124,6 +124,29 @@ impl Grid {
         let status = run(task.as_deref_mut(), |task| call(task, ptr::null_mut()));
         judged(status, self.lattice(), |culprits| run_quietly(task, |task| call(task, culprits)))?;
         Ok(TrimReport::of(&report))
+    }
+
+    #[doc = words!(sf_grid_trim_box: box)]
+    ///
+    /// This grid is what is printable.
+    ///
+    /// - `drawn`: the shape as drawn, after the change; `None`: this grid itself, which was support-free
+    ///   before a change that only removed matter
+    ///
+    /// It returns a box around the voxels of this grid that changed.
+    pub fn trim_box(
+        &mut self,
+        drawn: Option<&Grid>,
+        rule: Rule,
+        bed_layer: Option<u32>,
+        place: VoxelBox,
+    ) -> Result<VoxelBox> {
+        let placed = rule.place(self.lattice())?;
+        let (grid, bed) = (self.c_mut(), crate::rule::bed(bed_layer));
+        let drawn = drawn.map_or(grid.cast_const(), Grid::c);
+        let mut changed = VoxelBox::default().c();
+        check(unsafe { sys::sf_grid_trim_box(drawn, grid, &placed.c, bed, place.c(), &mut changed) })?;
+        Ok(VoxelBox::of(&changed))
     }
 
     #[doc = words!(sf_grid_grow)]

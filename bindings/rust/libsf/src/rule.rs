@@ -74,6 +74,11 @@ impl Rule {
         self.angle_rad
     }
 
+    /// Its bridges: the longest span, 0 where there are none, and what is carried at both ends, mm.
+    pub fn bridges_mm(&self) -> [f64; 2] {
+        [self.span_mm, self.anchor_mm]
+    }
+
     #[doc = words!(sf_rule_measure)]
     pub fn measure(&self, lattice: &Lattice) -> Result<RuleAngles> {
         let mut found: sys::sf_rule_angles = unsafe { std::mem::zeroed() };
@@ -193,6 +198,11 @@ impl<'a> Terms<'a> {
     pub fn act(mut self, mask: &'a Grid) -> Terms<'a> {
         self.act = Some(mask);
         self
+    }
+
+    /// What may rest on what.
+    pub fn rule(&self) -> Rule {
+        self.rule
     }
 
     /// Whether there is a mask.
