@@ -160,6 +160,11 @@ impl Cage {
     ) -> Result<Cage> {
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
         check_fault(call(&mut made, &mut fault), &fault)?;
+        Cage::of(made)
+    }
+
+    /// A new cage of C's.
+    pub(crate) fn of(made: *mut sys::sf_cage) -> Result<Cage> {
         Ok(Cage { c: own(made)? })
     }
 

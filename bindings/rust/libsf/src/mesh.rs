@@ -158,10 +158,21 @@ impl Mesh {
     /// # Ok(())
     /// # }
     /// ```
-    pub fn read(mut from: impl Read, format: MeshFormat) -> Result<Mesh> {
+    pub fn read(from: impl Read, format: MeshFormat) -> Result<Mesh> {
+        Mesh::read_within(from, format, &MeshLimits::default())
+    }
+
+    /// The same with bounds on what is taken.
+    ///
+    #[doc = words!(sf_read_limits)]
+    pub fn read_within(mut from: impl Read, format: MeshFormat, limits: &MeshLimits) -> Result<Mesh> {
+        let mut c = unsafe { sys::sf_read_limits_default() };
+        c.bytes_max = limits.bytes_max;
+        c.triangles_max = limits.triangles_max;
+        c.vertices_max = limits.vertices_max;
         let mut made = ptr::null_mut();
         reading(&mut from, |source, fault| unsafe {
-            sys::sf_mesh_read(source, format.c(), ptr::null(), ptr::null(), &mut made, fault)
+            sys::sf_mesh_read(source, format.c(), &c, ptr::null(), &mut made, fault)
         })?;
         Ok(Mesh { c: own(made)? })
     }
@@ -194,6 +205,25 @@ impl Mesh {
         let mut grid = Grid::new(&Lattice::around(low, high, pitch_mm, layer_mm, 1)?)?;
         grid.voxelize(self, Fill::Auto, task)?;
         Ok(grid)
+    }
+}
+
+/// Most that [`Mesh::read_within`] takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MeshLimits {
+    #[doc = words!(sf_read_limits.bytes_max)]
+    pub bytes_max: u64,
+    #[doc = words!(sf_read_limits.triangles_max)]
+    pub triangles_max: usize,
+    #[doc = words!(sf_read_limits.vertices_max)]
+    pub vertices_max: usize,
+}
+
+impl Default for MeshLimits {
+    fn default() -> MeshLimits {
+        let c = unsafe { sys::sf_read_limits_default() };
+        let (triangles_max, vertices_max) = (c.triangles_max, c.vertices_max);
+        MeshLimits { bytes_max: c.bytes_max, triangles_max, vertices_max }
     }
 }
 

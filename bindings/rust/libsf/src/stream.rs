@@ -116,14 +116,22 @@ pub(crate) fn writing_with<T: Write>(
 
 /// Writes a file whole or not at all.
 pub(crate) fn saving(path: &Path, call: impl FnOnce(sys::sf_sink) -> sys::sf_status) -> Result<()> {
+    saving_with(path, |sink, _| call(sink))
+}
+
+/// The same by a call that may say more.
+pub(crate) fn saving_with(
+    path: &Path,
+    call: impl FnOnce(sys::sf_sink, &mut sys::sf_fault) -> sys::sf_status,
+) -> Result<()> {
     let name = c_path(path)?;
     let (mut save, mut fault) = (std::ptr::null_mut(), crate::error::no_fault());
     let begun = unsafe { sys::sf_save_begin(name.as_ptr(), std::ptr::null(), &mut save, &mut fault) };
     check_fault(begun, &fault)?;
-    let status = call(unsafe { sys::sf_save_sink(save) });
+    let status = call(unsafe { sys::sf_save_sink(save) }, &mut fault);
     if status != sys::SF_OK {
         unsafe { sys::sf_save_abort(save) };
-        return crate::error::check(status);
+        return check_fault(status, &fault);
     }
     check_fault(unsafe { sys::sf_save_commit(save, &mut fault) }, &fault)
 }
