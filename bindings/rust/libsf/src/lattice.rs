@@ -63,6 +63,8 @@ impl Lattice {
             return Err(Error::new(ErrorKind::Shape, said));
         }
         self.heights_mm = Some(heights_mm.into());
+        // Nobody looks at it then, and lattices that are the same are equal.
+        self.layer_mm = 0.0;
         self.checked()
     }
 
@@ -141,7 +143,8 @@ impl Lattice {
         let heights_mm = (!c.heights_mm.is_null())
             .then(|| unsafe { crate::plain::elements(c.heights_mm, c.nz as usize) }.into());
         let (counts, pitch_mm) = ([c.nx, c.ny, c.nz], [c.pitch_x_mm, c.pitch_y_mm]);
-        Lattice { counts, pitch_mm, layer_mm: c.layer_mm, heights_mm, origin_mm: c.origin_mm }.checked()
+        let layer_mm = if heights_mm.is_some() { 0.0 } else { c.layer_mm };
+        Lattice { counts, pitch_mm, layer_mm, heights_mm, origin_mm: c.origin_mm }.checked()
     }
 
     /// As C has it; the heights are this lattice's.

@@ -62,7 +62,7 @@ fn a_stack_comes_back_as_it_was() {
         assert!(path.join(format!("layer_00005.{ending}")).exists());
         match Grid::load_stack(&path, None) {
             Ok((read, found)) => {
-                assert!(read == grid && read.lattice() == grid.lattice());
+                assert_eq!((&read, read.lattice()), (&grid, grid.lattice()));
                 assert_eq!(found, made_under);
             }
             Err(error) => {
