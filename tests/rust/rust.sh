@@ -36,7 +36,7 @@ fi
 rm -rf "$here/crates"
 cp -Rp "$source/bindings/rust" "$here/crates"
 for link in libsf-sys/vendor:libsf libsf-sys/LICENSE:LICENSE libsf/LICENSE:LICENSE \
-    libsf/tests/box3.json:tests/golden/box3.json; do
+    libsf/tests/box3.json:tests/golden/box3.json libsf/tests/tetrahedra.json:tests/golden/tetrahedra.json; do
     rm -f "$here/crates/${link%:*}"
     ln -s "$source/${link#*:}" "$here/crates/${link%:*}"
     # A link that looks new would have all of libsf compiled again.

@@ -10,6 +10,7 @@ use std::fmt;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
+use crate::memory::allocator;
 use crate::rule::{bed, Placed};
 use crate::task::run;
 use crate::{sys, CheckReport, Error, ErrorKind, Finding, Grid, Lattice, Rule, Run, Slice, Task};
@@ -131,7 +132,7 @@ impl Grid {
         let mut report: sys::sf_check_report = unsafe { std::mem::zeroed() };
         let mut count = 0;
         check(run(task, |task| unsafe {
-            sys::sf_grid_check(self.c(), &c, ptr::null(), task, &mut report, &mut count)
+            sys::sf_grid_check(self.c(), &c, allocator(), task, &mut report, &mut count)
         }))?;
         Ok(Checked { report: CheckReport::of(&report), findings: told(&places, count) })
     }
@@ -153,7 +154,7 @@ impl Grid {
         let mut report: sys::sf_voids_report = unsafe { std::mem::zeroed() };
         let mut count = 0;
         check(run(task, |task| unsafe {
-            sys::sf_grid_voids(self.c(), &c, ptr::null(), task, &mut report, &mut count)
+            sys::sf_grid_voids(self.c(), &c, allocator(), task, &mut report, &mut count)
         }))?;
         let found = (0..count).filter_map(|i| places.get(i)).map(Void::of).collect();
         Ok((VoidsReport::of(&report), found))

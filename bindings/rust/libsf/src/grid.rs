@@ -11,6 +11,7 @@ use std::mem::ManuallyDrop;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
+use crate::memory::allocator;
 use crate::task::run;
 use crate::{sys, Error, ErrorKind, Lattice, Moments, Slice, SliceMut, Task, VoxelBox};
 
@@ -45,7 +46,7 @@ impl Grid {
     #[doc = words!(sf_grid_create: lattice)]
     pub fn new(lattice: &Lattice) -> Result<Grid> {
         let mut c = ptr::null_mut();
-        check(unsafe { sys::sf_grid_create(&lattice.c(), ptr::null(), &mut c) })?;
+        check(unsafe { sys::sf_grid_create(&lattice.c(), allocator(), &mut c) })?;
         Ok(Grid { c: own(c)?, lattice: lattice.clone() })
     }
 
@@ -88,7 +89,7 @@ impl Grid {
     #[doc = words!(sf_grid_clone)]
     pub fn try_clone(&self) -> Result<Grid> {
         let mut c = ptr::null_mut();
-        check(unsafe { sys::sf_grid_clone(self.c(), ptr::null(), &mut c) })?;
+        check(unsafe { sys::sf_grid_clone(self.c(), allocator(), &mut c) })?;
         Ok(Grid { c: own(c)?, lattice: self.lattice.clone() })
     }
 

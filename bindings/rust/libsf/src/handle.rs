@@ -5,6 +5,7 @@ use std::ptr;
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::made::Made;
 use crate::memory::allocator;
 use crate::plain::{c, of};
 use crate::task::run;
@@ -102,11 +103,12 @@ impl Grid {
 
     #[doc = words!(sf_grid_cover: surface)]
     pub fn cover(&self, surface: &Mesh, task: Option<&mut Task<'_>>) -> Result<Grid> {
-        let mut made = ptr::null_mut();
+        let mut made = Made::new(sys::sf_grid_destroy);
+        let to = made.place();
         check(run(task, |task| unsafe {
-            sys::sf_grid_cover(self.c(), surface.view(), allocator(), task, &mut made)
+            sys::sf_grid_cover(self.c(), surface.view(), allocator(), task, to)
         }))?;
-        Ok(Grid::of(own(made)?, self.lattice()))
+        Ok(Grid::of(made.own()?, self.lattice()))
     }
 
     #[doc = words!(sf_handle_center: from_mm, direction)]

@@ -81,6 +81,7 @@ mod handle;
 mod lattice;
 mod lent;
 mod limit;
+mod made;
 mod mask;
 mod memory;
 mod mesh;

@@ -10,6 +10,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::elements;
 use crate::stream::{c_path, open, reading, saving, writing};
 use crate::task::run;
@@ -55,7 +57,7 @@ impl Mesh {
         };
         check_fault(unsafe { sys::sf_mesh_validate(view, &mut fault) }, &fault)?;
         let mut c = ptr::null_mut();
-        check(unsafe { sys::sf_mesh_create(ptr::null(), &mut c) })?;
+        check(unsafe { sys::sf_mesh_create(allocator(), &mut c) })?;
         let mesh = Mesh { c: own(c)? };
         check(unsafe { sys::sf_mesh_add_vertices(c, view.vertices, view.vertex_count) })?;
         check(unsafe { sys::sf_mesh_add_triangles(c, view.triangles, view.triangle_count) })?;
@@ -109,7 +111,7 @@ impl Mesh {
     #[doc = words!(sf_mesh_analyze)]
     pub fn topology(&self) -> Result<Topology> {
         let mut found: sys::sf_topology = unsafe { zeroed() };
-        check(unsafe { sys::sf_mesh_analyze(self.view(), ptr::null(), &mut found) })?;
+        check(unsafe { sys::sf_mesh_analyze(self.view(), allocator(), &mut found) })?;
         Ok(Topology::of(&found))
     }
 
@@ -127,7 +129,7 @@ impl Mesh {
     #[doc = words!(sf_mesh_merge)]
     pub fn merged(&self) -> Result<Mesh> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_mesh_merge(self.view(), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_mesh_merge(self.view(), allocator(), &mut made) })?;
         Ok(Mesh { c: own(made)? })
     }
 
@@ -138,7 +140,7 @@ impl Mesh {
         let (mut low, mut high, mut fault) = (ptr::null_mut(), ptr::null_mut(), no_fault());
         let axis = i32::try_from(axis).unwrap_or(i32::MAX);
         let cut = unsafe {
-            sys::sf_mesh_cut(self.view(), axis, at_mm, ptr::null(), &mut low, &mut high, &mut fault)
+            sys::sf_mesh_cut(self.view(), axis, at_mm, allocator(), &mut low, &mut high, &mut fault)
         };
         check_fault(cut, &fault)?;
         Ok((Mesh { c: own(low)? }, Mesh { c: own(high)? }))
@@ -172,7 +174,7 @@ impl Mesh {
         c.vertices_max = limits.vertices_max;
         let mut made = ptr::null_mut();
         reading(&mut from, |source, fault| unsafe {
-            sys::sf_mesh_read(source, format.c(), &c, ptr::null(), &mut made, fault)
+            sys::sf_mesh_read(source, format.c(), &c, allocator(), &mut made, fault)
         })?;
         Ok(Mesh { c: own(made)? })
     }
@@ -268,7 +270,7 @@ impl Grid {
         let mut report: sys::sf_voxelize_report = unsafe { zeroed() };
         let grid = self.c_mut();
         check(run(task, |task| unsafe {
-            sys::sf_grid_voxelize(grid, mesh.view(), &options, ptr::null(), task, &mut report)
+            sys::sf_grid_voxelize(grid, mesh.view(), &options, allocator(), task, &mut report)
         }))?;
         Ok(VoxelizeReport::of(&report))
     }
@@ -279,11 +281,10 @@ impl Grid {
     pub fn surface(&self, smooth_passes: u32, task: Option<&mut Task<'_>>) -> Result<Mesh> {
         let mut options = unsafe { sys::sf_surface_options_default() };
         options.smooth_passes = i32::try_from(smooth_passes).unwrap_or(i32::MAX);
-        let mut made = ptr::null_mut();
-        check(run(task, |task| unsafe {
-            sys::sf_grid_surface(self.c(), &options, ptr::null(), task, &mut made)
-        }))?;
-        Ok(Mesh { c: own(made)? })
+        let mut made = Made::new(sys::sf_mesh_destroy);
+        let to = made.place();
+        check(run(task, |task| unsafe { sys::sf_grid_surface(self.c(), &options, allocator(), task, to) }))?;
+        Ok(Mesh { c: made.own()? })
     }
 }
 
@@ -317,7 +318,7 @@ impl<'m> Voxelizer<'m> {
         options.fill = fill.c();
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
         let created = unsafe {
-            sys::sf_voxelizer_create(mesh.view(), &lattice.c(), &options, ptr::null(), &mut made, &mut fault)
+            sys::sf_voxelizer_create(mesh.view(), &lattice.c(), &options, allocator(), &mut made, &mut fault)
         };
         check_fault(created, &fault)?;
         Ok(Voxelizer { c: own(made)?, mesh: PhantomData })

@@ -8,6 +8,7 @@ use std::mem::zeroed;
 use std::ptr;
 
 use crate::error::{check, Result};
+use crate::memory::allocator;
 use crate::task::{run, run_quietly};
 use crate::{sys, ErrorKind, Grid, GrowReport, Lattice, PreserveMode, PreserveReport};
 use crate::{RepairReport, Rule, Steepest, Task, Terms, TrimReport, VoxelBox};
@@ -119,7 +120,7 @@ impl Grid {
             return Ok(TrimReport::of(&report));
         }
         let mut call = |task, culprits| unsafe {
-            sys::sf_grid_trim_on(grid, c, ptr::null(), task, culprits, &mut report)
+            sys::sf_grid_trim_on(grid, c, allocator(), task, culprits, &mut report)
         };
         let status = run(task.as_deref_mut(), |task| call(task, ptr::null_mut()));
         judged(status, self.lattice(), |culprits| run_quietly(task, |task| call(task, culprits)))?;
@@ -161,7 +162,7 @@ impl Grid {
         let mut report: sys::sf_grow_report = unsafe { zeroed() };
         let (grid, c) = (self.c_mut(), &placed.c);
         let mut call =
-            |task, culprits| unsafe { sys::sf_grid_grow(grid, c, ptr::null(), task, culprits, &mut report) };
+            |task, culprits| unsafe { sys::sf_grid_grow(grid, c, allocator(), task, culprits, &mut report) };
         let status = run(task.as_deref_mut(), |task| call(task, ptr::null_mut()));
         judged(status, self.lattice(), |culprits| run_quietly(task, |task| call(task, culprits)))?;
         Ok(GrowReport::of(&report))
@@ -186,7 +187,7 @@ impl Grid {
         c.rounds = options.rounds;
         let grid = self.c_mut();
         let mut call = |task, culprits| unsafe {
-            sys::sf_grid_repair(grid, &c, ptr::null(), task, culprits, &mut report)
+            sys::sf_grid_repair(grid, &c, allocator(), task, culprits, &mut report)
         };
         let status = run(task.as_deref_mut(), |task| call(task, ptr::null_mut()));
         judged(status, self.lattice(), |culprits| run_quietly(task, |task| call(task, culprits)))?;
@@ -213,7 +214,7 @@ impl Grid {
         c.trim_after = options.trim_after.into();
         let grid = self.c_mut();
         check(run(task, |task| unsafe {
-            sys::sf_grid_preserve(grid, brush.c(), &placed.c, &c, ptr::null(), task, &mut report)
+            sys::sf_grid_preserve(grid, brush.c(), &placed.c, &c, allocator(), task, &mut report)
         }))?;
         Ok(PreserveReport::of(&report))
     }
@@ -229,7 +230,7 @@ impl Grid {
         let mut result = Grid::new(self.lattice())?;
         let to = result.c_mut();
         check(run(task, |task| unsafe {
-            sys::sf_grid_complete(self.c(), needed.c(), &placed.c, ptr::null(), task, to)
+            sys::sf_grid_complete(self.c(), needed.c(), &placed.c, allocator(), task, to)
         }))?;
         Ok(result)
     }
@@ -246,7 +247,7 @@ impl Grid {
         let placed = terms.into().place(self.lattice())?;
         let call = |task, culprits| unsafe {
             let (allowed, needed) = (self.c(), needed.c());
-            sys::sf_grid_feasible(allowed, needed, &placed.c, ptr::null(), task, culprits, ptr::null_mut())
+            sys::sf_grid_feasible(allowed, needed, &placed.c, allocator(), task, culprits, ptr::null_mut())
         };
         let status = run(task.as_deref_mut(), |task| call(task, ptr::null_mut()));
         judged(status, self.lattice(), |culprits| run_quietly(task, |task| call(task, culprits)))
@@ -258,7 +259,7 @@ impl Grid {
         let mut found = Grid::new(self.lattice())?;
         let to = found.c_mut();
         check(run(task, |task| unsafe {
-            sys::sf_grid_unsupported(self.c(), &placed.c, ptr::null(), task, to, ptr::null_mut())
+            sys::sf_grid_unsupported(self.c(), &placed.c, allocator(), task, to, ptr::null_mut())
         }))?;
         Ok(found)
     }
@@ -268,7 +269,7 @@ impl Grid {
         let mut found: sys::sf_steepest = unsafe { zeroed() };
         let bed = crate::rule::bed(bed_layer);
         check(run(task, |task| unsafe {
-            sys::sf_grid_steepest(self.c(), bed, ptr::null(), task, &mut found)
+            sys::sf_grid_steepest(self.c(), bed, allocator(), task, &mut found)
         }))?;
         Ok(Steepest::of(&found))
     }

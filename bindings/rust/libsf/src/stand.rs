@@ -9,12 +9,12 @@ use std::cell::RefCell;
 use std::ffi::{c_int, c_void};
 use std::fmt;
 use std::mem::zeroed;
-use std::ptr::{self, NonNull};
+use std::ptr::NonNull;
 
 use crate::caught::Caught;
 use crate::error::{check, check_fault, no_fault, Result};
-use crate::grid::own;
 use crate::handle::c_handles;
+use crate::made::Made;
 use crate::memory::allocator;
 use crate::plain::{c, elements, first, of};
 use crate::task::run;
@@ -172,9 +172,9 @@ impl<'f> Stand<'f> {
         from.keep = shared.keep.borrow().is_some().then_some(keep as _);
         from.density_user = fields.0.as_ptr().cast();
         from.keep_user = from.density_user;
-        let (mut made, mut fault) = (ptr::null_mut(), no_fault());
+        let (mut made, mut fault) = (Made::new(sys::sf_stand_destroy), no_fault());
         let created = running(shared, task, |task| unsafe {
-            let (asked, moved, to) = (stances.as_ptr(), handles.as_ptr(), &mut made);
+            let (asked, moved, to) = (stances.as_ptr(), handles.as_ptr(), made.place());
             let (asked_count, moved_count) = (stances.len(), handles.len());
             sys::sf_stand_create(
                 mesh.view(),
@@ -190,7 +190,7 @@ impl<'f> Stand<'f> {
             )
         });
         check_fault(created, &fault)?;
-        Ok(Stand { c: own(made)?, fields: fields.leave(), handles: handles.len() })
+        Ok(Stand { c: made.own()?, fields: fields.leave(), handles: handles.len() })
     }
 
     fn c(&self) -> *const sys::sf_stand {

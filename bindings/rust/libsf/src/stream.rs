@@ -11,6 +11,7 @@ use std::path::Path;
 
 use crate::caught::Caught;
 use crate::error::{check_fault, Result};
+use crate::memory::allocator;
 use crate::{sys, Error, ErrorKind};
 
 /// A reader or writer while a call runs.
@@ -126,7 +127,7 @@ pub(crate) fn saving_with(
 ) -> Result<()> {
     let name = c_path(path)?;
     let (mut save, mut fault) = (std::ptr::null_mut(), crate::error::no_fault());
-    let begun = unsafe { sys::sf_save_begin(name.as_ptr(), std::ptr::null(), &mut save, &mut fault) };
+    let begun = unsafe { sys::sf_save_begin(name.as_ptr(), allocator(), &mut save, &mut fault) };
     check_fault(begun, &fault)?;
     let status = call(unsafe { sys::sf_save_sink(save) }, &mut fault);
     if status != sys::SF_OK {

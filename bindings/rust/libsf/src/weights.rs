@@ -2,11 +2,11 @@
 // Weights of the points of a solid for its handles, and blends: where points go when handles are posed.
 
 use std::fmt;
-use std::ptr::{self, NonNull};
+use std::ptr::NonNull;
 
 use crate::error::{check, check_fault, no_fault, Result};
-use crate::grid::own;
 use crate::handle::{c_handles, one_each};
+use crate::made::Made;
 use crate::memory::allocator;
 use crate::plain::{elements, first_mut, room};
 use crate::task::run;
@@ -65,13 +65,13 @@ impl Weights {
         task: Option<&mut Task<'_>>,
     ) -> Result<Weights> {
         let (from, options) = (c_handles(handles), options.c());
-        let (mut made, mut fault) = (ptr::null_mut(), no_fault());
+        let (mut made, mut fault) = (Made::new(sys::sf_weights_destroy), no_fault());
         let created = run(task, |task| unsafe {
-            let (first, count, to) = (from.as_ptr(), from.len(), &mut made);
+            let (first, count, to) = (from.as_ptr(), from.len(), made.place());
             sys::sf_weights_create(solid.c(), first, count, &options, allocator(), task, to, &mut fault)
         });
         check_fault(created, &fault)?;
-        Ok(Weights { c: own(made)?, handles: handles.len() })
+        Ok(Weights { c: made.own()?, handles: handles.len() })
     }
 
     fn c(&self) -> *const sys::sf_weights {

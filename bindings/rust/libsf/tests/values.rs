@@ -5,8 +5,9 @@
 mod shapes;
 
 use libsf::{
-    Canceller, CheckOptions, Checker, Error, ErrorKind, Fill, Finding, Grid, Lattice, Mesh, MeshFormat, Rule,
-    RuleKind, Slice, SliceMut, Terms, VoidKind, VoidsOptions, VoxelBox, Voxelizer,
+    Balance, Blend, Canceller, CheckOptions, Checker, Error, ErrorKind, Fill, Finding, Grid, Handle, Inside,
+    Lattice, Lent, Mesh, MeshFormat, Rule, RuleKind, Slice, SliceMut, Stance, Stand, Terms, VoidKind,
+    VoidsOptions, VoxelBox, Voxelizer, Weights,
 };
 use shapes::{lattice, shape, Random, Solid};
 use std::f64::consts::FRAC_PI_4;
@@ -26,6 +27,14 @@ fn types_go_to_other_threads() {
     both::<Canceller>();
     both::<Error>();
     both::<Finding>();
+    both::<Balance>();
+    both::<Blend>();
+    both::<Handle<'static>>();
+    both::<Lent<'static, Grid>>();
+    both::<Stance>();
+    both::<Stand<'static>>();
+    both::<Weights>();
+    send::<Inside<'static>>();
     send::<Checker>();
     send::<Voxelizer<'static>>();
 
