@@ -48,7 +48,8 @@ export CARGO_TARGET_DIR="$here/target" CARGO_TERM_COLOR=never
 # A machine without a net is told so soon, and not after many tries.
 if ! CARGO_NET_RETRY=0 CARGO_HTTP_TIMEOUT=20 "$cargo" fetch >"$here/log" 2>&1; then
     for what in "every source is in the archives" "the crates compile libsf, and their tests pass" \
-        "the documentation has no warnings" "their tests pass on this build's library"; do
+        "clippy has nothing to say" "the documentation has no warnings" \
+        "what is in the archives compiles" "their tests pass on this build's library"; do
         skip "$what" "the crates that it is built with cannot be had"
     done
     echo "1..$count"
@@ -72,8 +73,24 @@ ok $? "every source is in the archives"
     grep -q '^test shapes_come_to_what_three_languages_say ... ok' "$here/log"
 ok $? "the crates compile libsf, and their tests pass"
 
+if "$cargo" clippy --version >/dev/null 2>&1; then
+    "$cargo" clippy --offline --all-targets --features libsf/ndarray -- -D warnings >"$here/log" 2>&1
+    ok $? "clippy has nothing to say"
+else
+    skip "clippy has nothing to say" "clippy is not installed"
+fi
+
 RUSTDOCFLAGS='-D warnings' "$cargo" doc --offline --no-deps --features libsf/ndarray >"$here/log" 2>&1
 ok $? "the documentation has no warnings"
+
+# Each crate is compiled from its archive; the one that needs the other finds it there since cargo 1.90.
+minor=$("$cargo" --version | sed 's/^cargo [0-9]*\.\([0-9]*\).*/\1/')
+if [ "${minor:-0}" -ge 90 ]; then
+    "$cargo" package --offline --workspace --allow-dirty >"$here/log" 2>&1
+    ok $? "what is in the archives compiles"
+else
+    skip "what is in the archives compiles" "cargo is older than 1.90"
+fi
 
 if [ "$system" = yes ]; then
     PKG_CONFIG_PATH=$build/meson-uninstalled LD_LIBRARY_PATH=$build/libsf:$build/libsf/io \

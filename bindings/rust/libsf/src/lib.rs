@@ -32,6 +32,17 @@
 //! }
 //! ```
 //!
+//! # Whether it stands
+//!
+//! A [`Body`] is a mass and where it lies, of a mesh or of voxels; a [`Stance`] says what a mesh stands, hangs or
+//! rocks on and [judges](Stance::judge) a centre of mass. [`Stand`] makes a shape stand that falls: it carves the
+//! inside and bends the outside. Its parts can be had by themselves: [walls](Grid::wall) and
+//! [cavities](Grid::carve), the [holes](Grid::drain) that drain them, [`Weights`] and a [`Blend`] that bend what
+//! follows a few [handles](Handle). [`Balance`] has mass, centre of mass and margin as functions of numbers with
+//! their derivatives, for any optimiser; [`Blend::pull`] takes derivatives on to the poses of handles.
+//! [`Grid::printing`] says whether a part topples while it is printed, and [`Mesh::orient`] which way up it
+//! prints best.
+//!
 //! # What holds everywhere
 //!
 //! - A call that fails returns an [`Error`] and has changed nothing.
@@ -39,7 +50,9 @@
 //! - Results are the same bytes for any number of threads, processor and compiler.
 //! - A long call takes a [`Task`]: progress, threads of the caller's, and a [`Canceller`] for other
 //!   threads. Callbacks may panic: the call is stopped, and the panic goes on when it has returned.
-//! - Types are [`Send`]; those that many threads may read at once are [`Sync`].
+//! - Types are [`Send`]; those that many threads may read at once are [`Sync`]. What belongs to something else
+//!   is [`Lent`], and borrows it.
+//! - Memory comes from Rust's global allocator, also what C takes; where there is none, that is an error.
 //! - Words are those of the C headers, and what they say of `SF_ERR_SHAPE` holds for
 //!   [`ErrorKind::Shape`]. What is not here yet is in [`sys`].
 //!
