@@ -16,7 +16,7 @@
 import os
 import re
 
-ENUMS = {"sf_carve_goal": "CarveGoal", "sf_carve_mode": "CarveMode", "sf_handle_kind": "HandleKind",
+ENUMS = {"sf_contour_fill": "ContourFill", "sf_carve_goal": "CarveGoal", "sf_carve_mode": "CarveMode", "sf_handle_kind": "HandleKind",
          "sf_stance_kind": "StanceKind", "sf_stand_solver": "StandSolver", "sf_weights_method": "WeightsMethod",
          "sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
          "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat",

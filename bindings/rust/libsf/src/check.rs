@@ -14,7 +14,7 @@ use crate::memory::allocator;
 use crate::rule::{bed, Placed};
 use crate::task::run;
 use crate::{sys, CheckReport, Error, ErrorKind, Finding, Grid, Lattice, Rule, Run, Slice, Task};
-use crate::{Void, VoidsReport};
+use crate::{ContourFill, Contours, Void, VoidsReport};
 
 /// How a check runs.
 #[derive(Clone, Copy, Debug)]
@@ -257,6 +257,11 @@ impl Checker {
             return Err(Error::new(ErrorKind::Shape, said));
         }
         check(unsafe { sys::sf_checker_push_grey(self.c.as_ptr(), pixels.as_ptr(), row_bytes, threshold) })
+    }
+
+    #[doc = words!(sf_checker_push_contours: lattice, contours)]
+    pub fn push_contours(&mut self, lattice: &Lattice, contours: &Contours, fill: ContourFill) -> Result<()> {
+        crate::contour::push(self.c.as_ptr(), lattice, contours, fill)
     }
 
     #[doc = words!(sf_checker_report)]

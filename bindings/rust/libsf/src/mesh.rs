@@ -184,18 +184,32 @@ impl Mesh {
         writing(&mut to, |sink| unsafe { sys::sf_mesh_write(self.view(), format.c(), sink) })
     }
 
-    /// Reads a file: STL, OBJ, PLY or OFF, by its name, or else by its content.
+    #[doc = words!(sf_gltf_write)]
+    ///
+    /// `colors` are red, green and blue of each vertex.
+    pub fn write_glb(&self, mut to: impl Write, colors: Option<&[[u8; 3]]>) -> Result<()> {
+        if colors.is_some_and(|colors| colors.len() != self.vertices().len()) {
+            let (given, needed) = (colors.map_or(0, <[_]>::len), self.vertices().len());
+            return Err(Error::new(ErrorKind::Shape, format!("{given} colours for {needed} vertices")));
+        }
+        let first = colors.map_or(ptr::null(), |colors| colors.as_ptr().cast());
+        writing(&mut to, |sink| unsafe { sys::sf_gltf_write(self.view(), first, sink) })
+    }
+
+    /// Reads a file: STL, OBJ, PLY or OFF, by its name, or else by its content; glTF where the library was
+    /// made with what reads that.
     pub fn load(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
         Mesh::read(open(path)?, MeshFormat::from_path(path)?)
     }
 
-    /// Writes a file: STL, OBJ or PLY, by its name; whole or not at all.
+    /// Writes a file: STL, OBJ, PLY or binary glTF, by its name; whole or not at all.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let path = path.as_ref();
         let format = MeshFormat::from_path(path)?;
-        if matches!(format, MeshFormat::Auto | MeshFormat::Off) {
-            let said = format!("{}: a name that ends in .stl, .obj or .ply is needed", path.display());
+        let text = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gltf"));
+        if text || matches!(format, MeshFormat::Auto | MeshFormat::Off) {
+            let said = format!("{}: a name that ends in .stl, .obj, .ply or .glb is needed", path.display());
             return Err(Error::new(ErrorKind::Argument, said));
         }
         saving(path, |sink| unsafe { sys::sf_mesh_write(self.view(), format.c(), sink) })

@@ -5,9 +5,9 @@
 mod shapes;
 
 use libsf::{
-    Balance, Blend, Canceller, CheckOptions, Checker, Error, ErrorKind, Fill, Finding, Grid, Handle, Inside,
-    Lattice, Lent, Mesh, MeshFormat, Rule, RuleKind, Slice, SliceMut, Stance, Stand, Terms, VoidKind,
-    VoidsOptions, VoxelBox, Voxelizer, Weights,
+    Balance, Blend, Canceller, CheckOptions, Checker, ContourStack, Error, ErrorKind, Fill, Finding, Grid,
+    Handle, Inside, Lattice, Lent, Mesh, MeshFormat, Rule, RuleKind, Slice, SliceMut, Stance, Stand, Terms,
+    VoidKind, VoidsOptions, VoxelBox, Voxelizer, Weights,
 };
 use shapes::{lattice, shape, Random, Solid};
 use std::f64::consts::FRAC_PI_4;
@@ -29,6 +29,7 @@ fn types_go_to_other_threads() {
     both::<Finding>();
     both::<Balance>();
     both::<Blend>();
+    both::<ContourStack>();
     both::<Handle<'static>>();
     both::<Lent<'static, Grid>>();
     both::<Stance>();
@@ -197,6 +198,32 @@ fn meshes_go_out_and_come_back() {
     assert_eq!((bad.kind(), bad.line()), (ErrorKind::Format, Some(4)), "{bad}");
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(MeshFormat::from_path("a.stl").unwrap(), MeshFormat::Stl);
+}
+
+#[test]
+fn meshes_are_written_as_gltf() {
+    let mesh = Grid::from_fn(&Lattice::new(4, 4, 4, 1.0, 1.0).unwrap(), |_, _, _| true).unwrap();
+    let mesh = mesh.surface(0, None).unwrap().merged().unwrap();
+    let (mut plain, mut saved, mut colored) = (Vec::new(), Vec::new(), Vec::new());
+    mesh.write(&mut plain, MeshFormat::Gltf).unwrap();
+    mesh.write_glb(&mut saved, None).unwrap();
+    let colors = vec![[255, 128, 0]; mesh.vertices().len()];
+    mesh.write_glb(&mut colored, Some(&colors)).unwrap();
+    assert_eq!(plain, saved);
+    // A head that says how long it is, and vertices with three floats and then some for the colours.
+    for glb in [&plain, &colored] {
+        let length = u32::from_le_bytes(glb[8..12].try_into().unwrap());
+        assert_eq!((&glb[..4], length as usize), (&b"glTF"[..], glb.len()));
+    }
+    assert!(colored.len() >= plain.len() + 6 * colors.len());
+    assert_eq!(mesh.write_glb(&mut colored, Some(&colors[1..])).unwrap_err().kind(), ErrorKind::Shape);
+    let folder = std::env::temp_dir();
+    let refused = mesh.save(folder.join("libsf.gltf")).unwrap_err();
+    assert!(refused.kind() == ErrorKind::Argument && refused.message().contains(".glb"), "{refused}");
+    match Mesh::read(&plain[..], MeshFormat::Gltf) {
+        Ok(back) => assert_eq!(back.faces().len(), mesh.faces().len()),
+        Err(error) => assert_eq!(error.kind(), ErrorKind::Unsupported, "{error}"),
+    }
 }
 
 #[test]
