@@ -10,6 +10,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::{array, elements, first};
 use crate::{sys, CageReport, Channel, Crease, Error, ErrorKind, SharpPoint};
 
@@ -151,7 +152,7 @@ impl Cage {
     #[doc = words!(sf_cage_create)]
     pub fn new(view: &CageView<'_>) -> Result<Cage> {
         let placed = view.place()?;
-        Cage::made(|made, fault| unsafe { sys::sf_cage_create(&placed.c, ptr::null(), made, fault) })
+        Cage::made(|made, fault| unsafe { sys::sf_cage_create(&placed.c, allocator(), made, fault) })
     }
 
     /// The owner of a cage that a call makes.
@@ -230,7 +231,7 @@ impl Cage {
     #[doc = words!(sf_cage_check)]
     pub fn check(&self) -> Result<CageReport> {
         let mut report: sys::sf_cage_report = unsafe { zeroed() };
-        check(unsafe { sys::sf_cage_check(self.c(), ptr::null(), &mut report, ptr::null_mut()) })?;
+        check(unsafe { sys::sf_cage_check(self.c(), allocator(), &mut report, ptr::null_mut()) })?;
         Ok(CageReport::of(&report))
     }
 }

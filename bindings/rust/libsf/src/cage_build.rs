@@ -4,10 +4,10 @@
 
 use std::cell::RefCell;
 use std::ffi::{c_int, c_void};
-use std::ptr;
 
 use crate::caught::Caught;
 use crate::error::{check, Result};
+use crate::memory::allocator;
 use crate::plain::first;
 use crate::{sys, Cage, SkeletonNode, SkeletonStrut};
 
@@ -75,21 +75,21 @@ impl Cage {
     pub fn block(counts: [u32; 3], low_mm: [f64; 3], high_mm: [f64; 3]) -> Result<Cage> {
         let (low, high) = (low_mm.as_ptr(), high_mm.as_ptr());
         let counts = counts.as_ptr();
-        Cage::made(|made, _| unsafe { sys::sf_cage_block(counts, low, high, ptr::null(), made) })
+        Cage::made(|made, _| unsafe { sys::sf_cage_block(counts, low, high, allocator(), made) })
     }
 
     #[doc = words!(sf_cage_extrude: vector_mm, layers)]
     pub fn extruded(&self, vector_mm: [f64; 3], layers: u32) -> Result<Cage> {
         let vector = vector_mm.as_ptr();
         Cage::made(|made, fault| unsafe {
-            sys::sf_cage_extrude(self.c(), vector, layers, ptr::null(), made, fault)
+            sys::sf_cage_extrude(self.c(), vector, layers, allocator(), made, fault)
         })
     }
 
     #[doc = words!(sf_cage_revolve: sectors, angle_rad)]
     pub fn revolved(&self, sectors: u32, angle_rad: f64) -> Result<Cage> {
         Cage::made(|made, fault| unsafe {
-            sys::sf_cage_revolve(self.c(), sectors, angle_rad, ptr::null(), made, fault)
+            sys::sf_cage_revolve(self.c(), sectors, angle_rad, allocator(), made, fault)
         })
     }
 
@@ -97,7 +97,7 @@ impl Cage {
     pub fn skeleton(nodes: &[SkeletonNode], struts: &[SkeletonStrut]) -> Result<Cage> {
         Cage::made(|made, fault| unsafe {
             let (to, among) = (first(struts), first(nodes));
-            sys::sf_cage_skeleton(nodes.len(), among, struts.len(), to, ptr::null(), made, fault)
+            sys::sf_cage_skeleton(nodes.len(), among, struts.len(), to, allocator(), made, fault)
         })
     }
 
@@ -106,7 +106,7 @@ impl Cage {
         fn call<F: FnMut([f64; 3]) -> [f64; 3]>(cage: &mut Cage, function: F) -> Result<()> {
             let (function, cage) = (Function::new(function), cage.c_mut());
             let user = function.user();
-            let done = unsafe { sys::sf_cage_map_positions(cage, Some(place::<F>), user, ptr::null()) };
+            let done = unsafe { sys::sf_cage_map_positions(cage, Some(place::<F>), user, allocator()) };
             function.finish(done)
         }
         call(self, function)
@@ -119,7 +119,7 @@ impl Cage {
         fn call<F: FnMut([f64; 3], f64) -> f64>(cage: &mut Cage, channel: usize, function: F) -> Result<()> {
             let (function, cage) = (Function::new(function), cage.c_mut());
             let (user, ask) = (function.user(), Some(value::<F> as _));
-            let done = unsafe { sys::sf_cage_map_values(cage, channel, ask, user, ptr::null()) };
+            let done = unsafe { sys::sf_cage_map_values(cage, channel, ask, user, allocator()) };
             function.finish(done)
         }
         call(self, channel, function)

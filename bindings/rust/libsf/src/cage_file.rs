@@ -7,6 +7,7 @@ use std::path::Path;
 use std::ptr;
 
 use crate::error::Result;
+use crate::memory::allocator;
 use crate::stream::{open, reading, saving_with, writing_with};
 use crate::{sys, Cage, CageFormat, CageReading, CageView};
 
@@ -62,7 +63,7 @@ impl Cage {
         c.corners_max = options.corners_max;
         let (mut made, mut found) = (ptr::null_mut(), unsafe { zeroed::<sys::sf_cage_reading>() });
         reading(&mut from, |source, fault| unsafe {
-            sys::sf_cage_read(source, &c, ptr::null(), &mut made, &mut found, fault)
+            sys::sf_cage_read(source, &c, allocator(), &mut made, &mut found, fault)
         })?;
         Ok((Cage::of(made)?, CageReading::of(&found)))
     }
@@ -83,7 +84,7 @@ impl CageView<'_> {
     pub fn write_vtk(&self, mut to: impl Write, binary: bool) -> Result<()> {
         let placed = self.place()?;
         writing_with(&mut to, |sink, fault| unsafe {
-            sys::sf_cage_write_vtk(&placed.c, binary.into(), ptr::null(), sink, fault)
+            sys::sf_cage_write_vtk(&placed.c, binary.into(), allocator(), sink, fault)
         })
     }
 
@@ -91,7 +92,7 @@ impl CageView<'_> {
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let placed = self.place()?;
         saving_with(path.as_ref(), |sink, fault| unsafe {
-            sys::sf_cage_write_vtk(&placed.c, 1, ptr::null(), sink, fault)
+            sys::sf_cage_write_vtk(&placed.c, 1, allocator(), sink, fault)
         })
     }
 }

@@ -7,7 +7,8 @@ use std::path::Path;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check_fault, no_fault, Result};
-use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::array;
 use crate::stream::{saving, writing};
 use crate::task::run;
@@ -89,12 +90,12 @@ impl Grid {
         [c.bridge_span_mm, c.bridge_anchor_mm] = rule.bridges_mm();
         c.operation = claim.operation.c();
         c.before = claim.before.map_or(ptr::null(), Grid::c);
-        let (mut made, mut fault) = (ptr::null_mut(), no_fault());
+        let (mut made, mut fault) = (Made::new(sys::sf_certificate_destroy), no_fault());
         let status = run(task, |task| unsafe {
-            sys::sf_certificate_make(self.c(), &c, ptr::null(), task, &mut made, &mut fault)
+            sys::sf_certificate_make(self.c(), &c, allocator(), task, made.place(), &mut fault)
         });
         check_fault(status, &fault)?;
-        Ok(Certificate { c: own(made)? })
+        Ok(Certificate { c: made.own()? })
     }
 }
 

@@ -4,6 +4,7 @@
 use std::ptr;
 
 use crate::error::{check, Result};
+use crate::memory::allocator;
 use crate::plain::room;
 use crate::task::run;
 use crate::{sys, Checked, Error, ErrorKind, Finding, FindingCost, Grid, Task, Terms};
@@ -49,7 +50,7 @@ impl Checked {
         let (list, count, to) = (findings.as_ptr(), findings.len(), costs.as_mut_ptr());
         let added = added.map_or(ptr::null_mut(), Grid::c_mut);
         check(run(task, |task| unsafe {
-            sys::sf_findings_cost(grid.c(), &placed.c, list, count, ptr::null(), task, to, added)
+            sys::sf_findings_cost(grid.c(), &placed.c, list, count, allocator(), task, to, added)
         }))?;
         Ok(costs.iter().map(FindingCost::of).collect())
     }

@@ -9,6 +9,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::room;
 use crate::task::run;
 use crate::{sys, Diffusion, Error, ErrorKind, Lattice, Mask, MaterialUse, Slice, SliceMut, Task};
@@ -229,7 +230,7 @@ impl Halftone {
     #[doc = words!(sf_halftone_create: material_count)]
     pub fn new(mask: &Mask, material_count: u32) -> Result<Halftone> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_halftone_create(mask.c(), material_count, ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_halftone_create(mask.c(), material_count, allocator(), &mut made) })?;
         Ok(Halftone { c: own(made)?, materials: material_count })
     }
 
@@ -279,8 +280,8 @@ impl Diffuser {
     #[doc = words!(sf_diffuser_create: width, height, material_count, pitch_mm)]
     pub fn new(width: u32, height: u32, material_count: u32, pitch_mm: [f64; 3]) -> Result<Diffuser> {
         let mut made = ptr::null_mut();
-        let (pitch, none) = (pitch_mm.as_ptr(), ptr::null());
-        check(unsafe { sys::sf_diffuser_create(width, height, material_count, pitch, none, &mut made) })?;
+        let (pitch, memory) = (pitch_mm.as_ptr(), allocator());
+        check(unsafe { sys::sf_diffuser_create(width, height, material_count, pitch, memory, &mut made) })?;
         Ok(Diffuser { c: own(made)?, materials: material_count })
     }
 

@@ -12,6 +12,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::{first, first_mut, of, room};
 use crate::refine::as_long;
 use crate::task::run;
@@ -32,13 +34,13 @@ unsafe impl Sync for Limit {}
 impl Cage {
     #[doc = words!(sf_limit_create)]
     pub fn limit(&self, rules: RefineRules, task: Option<&mut Task<'_>>) -> Result<Limit> {
-        let mut made = ptr::null_mut();
+        let mut made = Made::new(sys::sf_limit_destroy);
         check(run(task, |task| unsafe {
-            sys::sf_limit_create(self.c(), rules.c(), ptr::null(), task, &mut made)
+            sys::sf_limit_create(self.c(), rules.c(), allocator(), task, made.place())
         }))?;
         let view = self.view();
         let values = view.channels.iter().map(|channel| channel.values.len()).collect();
-        Ok(Limit { c: own(made)?, dimension: view.dimension, points: view.positions.len(), values })
+        Ok(Limit { c: made.own()?, dimension: view.dimension, points: view.positions.len(), values })
     }
 }
 
@@ -74,7 +76,7 @@ impl Limit {
         let mut found = room::<[f64; 3]>(places.len())?;
         let (at, to, count) = (first(places), found.as_mut_ptr().cast(), places.len());
         check(run(task, |task| unsafe {
-            sys::sf_limit_positions(self.c(), count, at, ptr::null(), task, to, ptr::null_mut())
+            sys::sf_limit_positions(self.c(), count, at, allocator(), task, to, ptr::null_mut())
         }))?;
         Ok(found)
     }
@@ -91,7 +93,7 @@ impl Limit {
         let (at, count) = (first(places), places.len());
         let (to, by) = (found.as_mut_ptr().cast(), slopes.as_mut_ptr());
         check(run(task, |task| unsafe {
-            sys::sf_limit_positions(self.c(), count, at, ptr::null(), task, to, by)
+            sys::sf_limit_positions(self.c(), count, at, allocator(), task, to, by)
         }))?;
         Ok((found, slopes))
     }
@@ -101,7 +103,7 @@ impl Limit {
         let mut found = room::<f64>(places.len())?;
         let (at, to, count) = (first(places), found.as_mut_ptr(), places.len());
         check(run(task, |task| unsafe {
-            sys::sf_limit_values(self.c(), channel, count, at, ptr::null(), task, to, ptr::null_mut())
+            sys::sf_limit_values(self.c(), channel, count, at, allocator(), task, to, ptr::null_mut())
         }))?;
         Ok(found)
     }
@@ -119,7 +121,7 @@ impl Limit {
         let (at, count) = (first(places), places.len());
         let (to, by) = (found.as_mut_ptr(), slopes.as_mut_ptr());
         check(run(task, |task| unsafe {
-            sys::sf_limit_values(self.c(), channel, count, at, ptr::null(), task, to, by)
+            sys::sf_limit_values(self.c(), channel, count, at, allocator(), task, to, by)
         }))?;
         Ok((found, slopes))
     }
@@ -127,7 +129,7 @@ impl Limit {
     #[doc = words!(sf_limit_check)]
     pub fn check(&self, task: Option<&mut Task<'_>>) -> Result<LimitReport> {
         let mut report: sys::sf_limit_report = unsafe { zeroed() };
-        check(run(task, |task| unsafe { sys::sf_limit_check(self.c(), ptr::null(), task, &mut report) }))?;
+        check(run(task, |task| unsafe { sys::sf_limit_check(self.c(), allocator(), task, &mut report) }))?;
         Ok(LimitReport::of(&report))
     }
 
@@ -138,7 +140,7 @@ impl Limit {
         let mut found = [[0.0; 3]; 2];
         let [low, high] = &mut found;
         let (low, high) = (low.as_mut_ptr(), high.as_mut_ptr());
-        check(run(task, |task| unsafe { sys::sf_limit_bounds(self.c(), ptr::null(), task, low, high) }))?;
+        check(run(task, |task| unsafe { sys::sf_limit_bounds(self.c(), allocator(), task, low, high) }))?;
         Ok(found)
     }
 
@@ -166,7 +168,7 @@ impl Limit {
     #[doc = words!(sf_locator_create)]
     pub fn locator(&self) -> Result<Locator<'_>> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_locator_create(self.c(), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_locator_create(self.c(), allocator(), &mut made) })?;
         Ok(Locator { c: own(made)?, limit: PhantomData })
     }
 }
@@ -243,7 +245,7 @@ impl Locator<'_> {
         let (from, to, far) = (points.as_ptr().cast(), first_mut(&mut places), distances.as_mut_ptr());
         let c = self.c.as_ptr();
         check(run(task, |task| unsafe {
-            sys::sf_locator_find(c, count, from, reach_mm, ptr::null(), task, to, far)
+            sys::sf_locator_find(c, count, from, reach_mm, allocator(), task, to, far)
         }))?;
         let found = places.into_iter().zip(distances);
         Ok(found.map(|one| (one.0.piece != sys::SF_NO_PIECE).then_some(one)).collect())

@@ -26,6 +26,11 @@ impl<T> Made<T> {
         &mut self.c
     }
 
+    /// What is there, if anything.
+    pub(crate) fn get(&self) -> *const T {
+        self.c
+    }
+
     /// What a call that succeeded has made, now somebody's.
     pub(crate) fn own(mut self) -> Result<NonNull<T>> {
         own(std::mem::replace(&mut self.c, ptr::null_mut()))

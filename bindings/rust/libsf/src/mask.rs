@@ -6,6 +6,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::task::run;
 use crate::{sys, Error, ErrorKind, MaskKind, Task};
 
@@ -75,9 +77,9 @@ impl Mask {
         c.pitch_mm = options.pitch_mm;
         c.spread = options.spread;
         c.seed = options.seed;
-        let mut made = ptr::null_mut();
-        check(run(task, |task| unsafe { sys::sf_mask_create(&c, ptr::null(), task, &mut made) }))?;
-        Ok(Mask { c: own(made)? })
+        let mut made = Made::new(sys::sf_mask_destroy);
+        check(run(task, |task| unsafe { sys::sf_mask_create(&c, allocator(), task, made.place()) }))?;
+        Ok(Mask { c: made.own()? })
     }
 
     #[doc = words!(sf_mask_from_ranks: ranks)]
@@ -91,7 +93,7 @@ impl Mask {
         }
         let mut made = ptr::null_mut();
         let ([nx, ny, nz], from) = (size, ranks.as_ptr());
-        check(unsafe { sys::sf_mask_from_ranks(nx, ny, nz, from, ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_mask_from_ranks(nx, ny, nz, from, allocator(), &mut made) })?;
         Ok(Mask { c: own(made)? })
     }
 

@@ -6,6 +6,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::{first, room};
 use crate::{sys, CurveSample, Error, ErrorKind, Trend};
 
@@ -40,7 +41,7 @@ impl Curve {
     pub fn new(samples: &[CurveSample], trend: Trend) -> Result<Curve> {
         let mut made = ptr::null_mut();
         let (list, count) = (first(samples), samples.len());
-        check(unsafe { sys::sf_curve_create(list, count, trend.c(), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_curve_create(list, count, trend.c(), allocator(), &mut made) })?;
         Ok(Curve { c: own(made)? })
     }
 
@@ -143,7 +144,7 @@ impl Mixture {
             scales: scales.map_or(ptr::null(), |scales| scales.as_ptr()),
         };
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
-        let created = unsafe { sys::sf_mixture_create(&samples, ptr::null(), &mut made, &mut fault) };
+        let created = unsafe { sys::sf_mixture_create(&samples, allocator(), &mut made, &mut fault) };
         check_fault(created, &fault)?;
         Ok(Mixture { c: own(made)?, materials: MATERIALS, properties: PROPERTIES })
     }

@@ -7,6 +7,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::{sys, Cage, CageHistoryState, Error, ErrorKind, Falloff, PaintOperation, PaintWhere};
 
 #[doc = words!(sf_paint_brush)]
@@ -107,7 +108,7 @@ impl Cage {
         self.weighted(weights)?;
         let mut changed = 0;
         let (cage, by, does) = (self.c_mut(), weights.as_ptr(), operation.c());
-        check(unsafe { sys::sf_paint_values(cage, channel, by, does, amount, ptr::null(), &mut changed) })?;
+        check(unsafe { sys::sf_paint_values(cage, channel, by, does, amount, allocator(), &mut changed) })?;
         Ok(changed)
     }
 
@@ -118,7 +119,7 @@ impl Cage {
         self.weighted(weights)?;
         let mut changed = 0;
         let (cage, by, vector) = (self.c_mut(), weights.as_ptr(), vector_mm.as_ptr());
-        check(unsafe { sys::sf_paint_move(cage, by, vector, ptr::null(), &mut changed) })?;
+        check(unsafe { sys::sf_paint_move(cage, by, vector, allocator(), &mut changed) })?;
         Ok(changed)
     }
 
@@ -129,7 +130,7 @@ impl Cage {
         self.weighted(weights)?;
         let mut changed = 0;
         let (cage, by) = (self.c_mut(), weights.as_ptr());
-        check(unsafe { sys::sf_paint_smooth(cage, by, amount, ptr::null(), &mut changed) })?;
+        check(unsafe { sys::sf_paint_smooth(cage, by, amount, allocator(), &mut changed) })?;
         Ok(changed)
     }
 }
@@ -149,7 +150,7 @@ impl CageHistory {
     #[doc = words!(sf_cage_history_create: bytes_max)]
     pub fn new(cage: &Cage, bytes_max: usize) -> Result<CageHistory> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_cage_history_create(cage.c(), bytes_max, ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_cage_history_create(cage.c(), bytes_max, allocator(), &mut made) })?;
         Ok(CageHistory { c: own(made)? })
     }
 

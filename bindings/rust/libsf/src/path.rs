@@ -6,10 +6,11 @@
 
 use std::fmt;
 use std::mem::zeroed;
-use std::ptr::{self, NonNull};
+use std::ptr::NonNull;
 
 use crate::error::{check, Result};
-use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::{c, first, first_mut, of, room};
 use crate::rule::PlacedTerms;
 use crate::task::run;
@@ -104,12 +105,12 @@ impl Grid {
         task: Option<&mut Task<'_>>,
     ) -> Result<PathFinder<'g>> {
         let placed = terms.into().place(self.lattice())?;
-        let mut made = ptr::null_mut();
+        let mut made = Made::new(sys::sf_path_finder_destroy);
         check(run(task, |task| unsafe {
             let landing = landing.c();
-            sys::sf_path_finder_create(self.c(), &placed.c, landing, ptr::null(), task, &mut made)
+            sys::sf_path_finder_create(self.c(), &placed.c, landing, allocator(), task, made.place())
         }))?;
-        Ok(PathFinder { c: own(made)?, layers: self.lattice().nz(), _terms: placed })
+        Ok(PathFinder { c: made.own()?, layers: self.lattice().nz(), _terms: placed })
     }
 
     #[doc = words!(sf_path_map_create)]
@@ -127,11 +128,11 @@ impl Grid {
         let mut options = unsafe { sys::sf_path_map_options_default() };
         options.landing = landing.c();
         options.cost = cost.c();
-        let mut made = ptr::null_mut();
+        let mut made = Made::new(sys::sf_path_map_destroy);
         check(run(task, |task| unsafe {
-            sys::sf_path_map_create(self.c(), &placed.c, &options, ptr::null(), task, &mut made)
+            sys::sf_path_map_create(self.c(), &placed.c, &options, allocator(), task, made.place())
         }))?;
-        Ok(PathMap { c: own(made)?, layers: self.lattice().nz(), _terms: placed })
+        Ok(PathMap { c: made.own()?, layers: self.lattice().nz(), _terms: placed })
     }
 
     #[doc = words!(sf_grid_emit)]
@@ -151,7 +152,7 @@ impl Grid {
         let stroke = sys::sf_stroke { brush, anchor, path: first(path), count };
         let mut report: sys::sf_emit_report = unsafe { zeroed() };
         let grid = self.c_mut();
-        check(unsafe { sys::sf_grid_emit(grid, &placed.c, &stroke, ptr::null(), &mut report) })?;
+        check(unsafe { sys::sf_grid_emit(grid, &placed.c, &stroke, allocator(), &mut report) })?;
         Ok(EmitReport::of(&report))
     }
 }

@@ -7,7 +7,8 @@ use std::mem::zeroed;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
-use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::room;
 use crate::task::run;
 use crate::{sys, Cage, CageView, Error, ErrorKind, RefineRules, Task};
@@ -42,9 +43,11 @@ impl Cage {
         let mut options = unsafe { sys::sf_refine_options_default() };
         options.steps = steps;
         options.rules = rules.c();
-        let mut made = ptr::null_mut();
-        check(run(task, |task| unsafe { sys::sf_refine(self.c(), &options, ptr::null(), task, &mut made) }))?;
-        Ok(Refinement { c: own(made)? })
+        let mut made = Made::new(sys::sf_refinement_destroy);
+        check(run(task, |task| unsafe {
+            sys::sf_refine(self.c(), &options, allocator(), task, made.place())
+        }))?;
+        Ok(Refinement { c: made.own()? })
     }
 }
 
@@ -100,7 +103,7 @@ impl Refinement {
         let (no_points, no_weights) = (ptr::null_mut(), ptr::null_mut());
         let asked = unsafe {
             let c = self.c();
-            sys::sf_refinement_stencil(c, step, point, ptr::null(), 0, no_points, no_weights, &mut count)
+            sys::sf_refinement_stencil(c, step, point, allocator(), 0, no_points, no_weights, &mut count)
         };
         if asked != sys::SF_ERR_CAPACITY {
             check(asked)?;
@@ -109,7 +112,7 @@ impl Refinement {
         let (to_points, to_weights) = (points.as_mut_ptr(), weights.as_mut_ptr());
         check(unsafe {
             let c = self.c();
-            sys::sf_refinement_stencil(c, step, point, ptr::null(), count, to_points, to_weights, &mut count)
+            sys::sf_refinement_stencil(c, step, point, allocator(), count, to_points, to_weights, &mut count)
         })?;
         Ok(points.into_iter().zip(weights).collect())
     }

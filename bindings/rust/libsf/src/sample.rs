@@ -9,6 +9,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::elements;
 use crate::task::run;
 use crate::{sys, Error, ErrorKind, Lattice, Limit, SampleReport, SliceMut, Task, Tets};
@@ -72,14 +74,14 @@ impl<'s> Sampler<'s> {
     ) -> Result<Sampler<'s>> {
         let mut options = unsafe { sys::sf_sample_options_default() };
         options.tolerance = tolerance.unwrap_or(options.tolerance);
-        let (mut made, mut fault) = (ptr::null_mut(), no_fault());
+        let (mut made, mut fault) = (Made::new(sys::sf_sampler_destroy), no_fault());
         let (on, count, which) = (lattice.c(), channels.len(), channels.as_ptr());
-        let (limit, none) = (limit.c(), ptr::null());
+        let (limit, memory) = (limit.c(), allocator());
         let status = run(task, |task| unsafe {
-            sys::sf_sampler_create(limit, &on, &options, count, which, none, task, &mut made, &mut fault)
+            sys::sf_sampler_create(limit, &on, &options, count, which, memory, task, made.place(), &mut fault)
         });
         check_fault(status, &fault)?;
-        Sampler::of(made, lattice, count)
+        Sampler::of(made.own()?.as_ptr(), lattice, count)
     }
 
     #[doc = words!(sf_sampler_of_tets: channels)]
@@ -87,7 +89,7 @@ impl<'s> Sampler<'s> {
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
         let (on, count, which) = (lattice.c(), channels.len(), channels.as_ptr());
         let status = unsafe {
-            sys::sf_sampler_of_tets(tets.c(), &on, count, which, ptr::null(), &mut made, &mut fault)
+            sys::sf_sampler_of_tets(tets.c(), &on, count, which, allocator(), &mut made, &mut fault)
         };
         check_fault(status, &fault)?;
         Sampler::of(made, lattice, count)

@@ -14,6 +14,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::{c, elements, first};
 use crate::rule::Placed;
 use crate::{sys, BrushKind, Dab, Error, ErrorKind, Grid, Lattice, Rule};
@@ -178,7 +179,7 @@ impl Sculpt {
         c.keep_drawn = options.keep_drawn.into();
         c.history_size = options.history_size;
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_sculpt_create(&c, ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_sculpt_create(&c, allocator(), &mut made) })?;
         Sculpt::of(made, options.clone(), Some(rule))
     }
 

@@ -12,6 +12,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::plain::{array, c, first};
 use crate::sculpt::fitting;
 use crate::stream::{open, reading, saving, writing};
@@ -118,7 +120,7 @@ impl Session {
     #[doc = words!(sf_session_create)]
     pub fn new(options: &SessionOptions) -> Result<Session> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_session_create(&options.c(), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_session_create(&options.c(), allocator(), &mut made) })?;
         Session::of(made)
     }
 
@@ -196,14 +198,14 @@ impl Session {
 
     /// A model in this space that C makes.
     fn model(&self, call: impl FnOnce(*mut *mut sys::sf_sculpt) -> sys::sf_status) -> Result<Sculpt> {
-        let mut made = ptr::null_mut();
-        check(call(&mut made))?;
-        Sculpt::of(made, self.options.sculpt(), None)
+        let mut made = Made::new(sys::sf_sculpt_destroy);
+        check(call(made.place()))?;
+        Sculpt::of(made.own()?.as_ptr(), self.options.sculpt(), None)
     }
 
     #[doc = words!(sf_session_begin)]
     pub fn begin(&self) -> Result<Sculpt> {
-        self.model(|made| unsafe { sys::sf_session_begin(self.c(), ptr::null(), made) })
+        self.model(|made| unsafe { sys::sf_session_begin(self.c(), allocator(), made) })
     }
 
     #[doc = words!(sf_session_play: step)]
@@ -212,7 +214,7 @@ impl Session {
     pub fn play(&self, step: usize, model: &mut Sculpt) -> Result<SculptChange> {
         let mut change: sys::sf_sculpt_change = unsafe { zeroed() };
         let model = model.c_mut()?;
-        check(unsafe { sys::sf_session_play(self.c(), step, ptr::null(), model, &mut change) })?;
+        check(unsafe { sys::sf_session_play(self.c(), step, allocator(), model, &mut change) })?;
         Ok(SculptChange::of(&change))
     }
 
@@ -229,13 +231,13 @@ impl Session {
 
     #[doc = words!(sf_session_replay)]
     pub fn replay(&self, task: Option<&mut Task<'_>>) -> Result<Sculpt> {
-        let play = |task, made| unsafe { sys::sf_session_replay(self.c(), ptr::null(), task, made) };
+        let play = |task, made| unsafe { sys::sf_session_replay(self.c(), allocator(), task, made) };
         self.model(|made| run(task, |task| play(task, made)))
     }
 
     #[doc = words!(sf_session_open)]
     pub fn open(&self) -> Result<Sculpt> {
-        self.model(|made| unsafe { sys::sf_session_open(self.c(), ptr::null(), made) })
+        self.model(|made| unsafe { sys::sf_session_open(self.c(), allocator(), made) })
     }
 
     #[doc = words!(sf_session_write)]
@@ -247,7 +249,7 @@ impl Session {
     pub fn read(mut from: impl Read, bytes_max: u64) -> Result<Session> {
         let mut made = ptr::null_mut();
         reading(&mut from, |source, fault| unsafe {
-            sys::sf_session_read(source, bytes_max, ptr::null(), &mut made, fault)
+            sys::sf_session_read(source, bytes_max, allocator(), &mut made, fault)
         })?;
         Session::of(made)
     }

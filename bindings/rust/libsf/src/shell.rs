@@ -7,6 +7,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::{sys, Lattice, Mesh, SliceMut};
 
 #[doc = words!(sf_shell)]
@@ -38,7 +39,7 @@ impl<'m> Shell<'m> {
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
         let (view, on) = (mesh.view(), lattice.c());
         let created =
-            unsafe { sys::sf_shell_create(view, &on, distance_mm, ptr::null(), &mut made, &mut fault) };
+            unsafe { sys::sf_shell_create(view, &on, distance_mm, allocator(), &mut made, &mut fault) };
         check_fault(created, &fault)?;
         Ok(Shell { c: own(made)?, mesh: PhantomData })
     }

@@ -12,6 +12,8 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::made::Made;
+use crate::memory::allocator;
 use crate::property::chars;
 use crate::rule::bed;
 use crate::stream::{c_path, writing};
@@ -87,7 +89,7 @@ impl Directory {
     fn open(path: &Path, call: Open) -> Result<Directory> {
         let name = c_path(path)?;
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
-        let opened = unsafe { call(name.as_ptr(), ptr::null(), &mut made, &mut fault) };
+        let opened = unsafe { call(name.as_ptr(), allocator(), &mut made, &mut fault) };
         check_fault(opened, &fault)?;
         Ok(Directory(own(made)?))
     }
@@ -162,14 +164,13 @@ impl Grid {
     ) -> Result<(Grid, Option<StackRule>)> {
         let directory = Directory::reading(path.as_ref())?;
         let mut info: sys::sf_stack_info = unsafe { zeroed() };
-        let (mut made, mut fault, folder) = (ptr::null_mut(), no_fault(), directory.folder());
+        let (mut made, mut fault, folder) = (Made::new(sys::sf_grid_destroy), no_fault(), directory.folder());
         let status = run(task, |task| unsafe {
-            sys::sf_stack_read(folder, ptr::null(), task, &mut made, &mut info, &mut fault)
+            sys::sf_stack_read(folder, allocator(), task, made.place(), &mut info, &mut fault)
         });
         check_fault(status, &fault)?;
-        let made = own(made)?;
-        let lattice = Lattice::of(&unsafe { sys::sf_grid_lattice(made.as_ptr()) })?;
-        Ok((Grid::of(made, &lattice), StackRule::of(&info)))
+        let lattice = Lattice::of(&unsafe { sys::sf_grid_lattice(made.get()) })?;
+        Ok((Grid::of(made.own()?, &lattice), StackRule::of(&info)))
     }
 }
 
@@ -217,7 +218,7 @@ impl LayerWriter {
         let (mut made, mut fault, folder) = (ptr::null_mut(), no_fault(), directory.folder());
         let begun = unsafe {
             let (on, of) = (lattice.c(), list.as_ptr());
-            sys::sf_layers_begin(folder, &on, count, of, ptr::null(), &mut made, &mut fault)
+            sys::sf_layers_begin(folder, &on, count, of, allocator(), &mut made, &mut fault)
         };
         check_fault(begun, &fault)?;
         let (directory, lattice) = (Some(directory), lattice.clone());

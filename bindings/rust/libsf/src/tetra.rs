@@ -13,6 +13,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::elements;
 use crate::stream::{reading, writing_with};
 use crate::{sys, Channel, Refinement, TetsReport};
@@ -71,7 +72,7 @@ impl Tets<'static> {
             channels: channels.as_ptr(),
         };
         let (mut made, mut fault) = (ptr::null_mut(), no_fault());
-        check_fault(unsafe { sys::sf_tets_create(&c, ptr::null(), &mut made, &mut fault) }, &fault)?;
+        check_fault(unsafe { sys::sf_tets_create(&c, allocator(), &mut made, &mut fault) }, &fault)?;
         Tets::of(made)
     }
 
@@ -90,7 +91,7 @@ impl Tets<'static> {
     pub unsafe fn read_exchange(mut from: impl Read, bytes_max: u64) -> Result<Tets<'static>> {
         let mut made = ptr::null_mut();
         reading(&mut from, |source, fault| unsafe {
-            sys::sf_exchange_read(source, bytes_max, ptr::null(), &mut made, fault)
+            sys::sf_exchange_read(source, bytes_max, allocator(), &mut made, fault)
         })?;
         Tets::of(made)
     }
@@ -110,7 +111,7 @@ impl<'r> Tets<'r> {
     #[doc = words!(sf_tets_of_refinement: step)]
     pub fn of_refinement(refinement: &'r Refinement, step: u32) -> Result<Tets<'r>> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_tets_of_refinement(refinement.c(), step, ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_tets_of_refinement(refinement.c(), step, allocator(), &mut made) })?;
         Tets::of(made)
     }
 
@@ -136,7 +137,7 @@ impl<'r> Tets<'r> {
     #[doc = words!(sf_tets_check)]
     pub fn check(&self) -> Result<TetsReport> {
         let mut report: sys::sf_tets_report = unsafe { zeroed() };
-        check(unsafe { sys::sf_tets_check(self.c(), ptr::null(), &mut report) })?;
+        check(unsafe { sys::sf_tets_check(self.c(), allocator(), &mut report) })?;
         Ok(TetsReport::of(&report))
     }
 

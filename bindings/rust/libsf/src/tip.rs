@@ -9,6 +9,7 @@ use std::ptr::{self, NonNull};
 
 use crate::error::{check, Result};
 use crate::grid::own;
+use crate::memory::allocator;
 use crate::plain::{c, of};
 use crate::{sys, Dab, Error, ErrorKind, Grid, Lattice, TipShape};
 
@@ -40,14 +41,14 @@ impl Tip {
     #[doc = words!(sf_tip_create: shape, radius_vx)]
     pub fn new(shape: TipShape, radius_vx: [f64; 3]) -> Result<Tip> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_tip_create(shape.c(), radius_vx.as_ptr(), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_tip_create(shape.c(), radius_vx.as_ptr(), allocator(), &mut made) })?;
         Tip::of(made)
     }
 
     #[doc = words!(sf_tip_create_mask: mask, anchor)]
     pub fn of_mask(mask: &Grid, anchor: Dab) -> Result<Tip> {
         let mut made = ptr::null_mut();
-        check(unsafe { sys::sf_tip_create_mask(mask.c(), c(&anchor), ptr::null(), &mut made) })?;
+        check(unsafe { sys::sf_tip_create_mask(mask.c(), c(&anchor), allocator(), &mut made) })?;
         Tip::of(made)
     }
 
@@ -64,7 +65,7 @@ impl Tip {
         let mut made = ptr::null_mut();
         check(unsafe {
             let pixels = heights.as_ptr();
-            sys::sf_tip_create_stamp(pixels, row_bytes, width, height, depth_vx, ptr::null(), &mut made)
+            sys::sf_tip_create_stamp(pixels, row_bytes, width, height, depth_vx, allocator(), &mut made)
         })?;
         Tip::of(made)
     }

@@ -5,10 +5,13 @@
 // refused once, whereupon the call must say so, leave the shape as it was, and give back all that it had.
 
 use libsf::{
-    Blend, CarveOptions, CheckOptions, Checker, DensityOptions, DrainOptions, ErrorKind, Fill, Grid, Handle,
-    Inside, Lattice, Mesh, MeshFormat, OrientOptions, PlaceOptions, Pose, PreserveOptions, RepairOptions,
-    Result, Rule, Stance, StanceKind, StanceOptions, Stand, StandOptions, Task, Terms, VoidsOptions,
-    Voxelizer, Weights, WeightsOptions,
+    Blend, Brush, BrushKind, Cage, CarveOptions, Channel, CheckOptions, Checker, Claim, ContourFill,
+    ContourStack, Curve, CurveSample, Dab, DensityOptions, DrainOptions, ErrorKind, Fill, Grid, Halftone,
+    Handle, Inside, Landing, Lattice, Mask, Materials, Mesh, MeshFormat, Mixture, Operation, OrientOptions,
+    PathCost, PlaceOptions, Pose, PreserveOptions, Property, RefineRules, RepairOptions, Result, Rule,
+    Sampler, Sculpt, SculptOptions, Session, SessionOptions, Stance, StanceKind, StanceOptions, Stand,
+    StandOptions, Task, Terms, Tip, TipShape, ToneValues, Tones, Trend, VoidsOptions, Voxel, Voxelizer,
+    Weights, WeightsOptions,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -252,6 +255,62 @@ fn slow() -> Vec<(&'static str, Step)> {
             shape.run(None)?;
             shape.cavity()?;
             shape.grid().map(drop)
+        }),
+        ("contours", |t| {
+            let stack = ContourStack::of(&t.grid)?;
+            stack.layer(0)?;
+            stack.grid(t.grid.lattice(), ContourFill::Nonzero, None).map(drop)
+        }),
+        ("certificate", |t| {
+            let mut after = t.grid.try_clone()?;
+            after.trim(Rule::box3(), None)?;
+            let terms = Terms::new(Rule::box3());
+            let claim = Claim { terms, operation: Operation::Trim, before: Some(&t.grid) };
+            after.certify(claim, None)?.write(std::io::sink())
+        }),
+        ("path", |t| {
+            let mut finder = t.grid.path_finder(Rule::box3(), Landing::Any, None)?;
+            finder.find(Voxel { x: 8, y: 4, z: 5 })?;
+            let map = t.grid.path_map(Rule::box3(), Landing::Any, PathCost::Count, None)?;
+            map.walk(Voxel { x: 8, y: 4, z: 5 }).map(drop)
+        }),
+        ("sculpt", |t| {
+            let mut model = Sculpt::new(&SculptOptions::new(t.grid.lattice().clone()))?;
+            let ball = Tip::new(TipShape::Sphere, [2.0; 3])?;
+            model.stroke(&Brush::new(BrushKind::AddGrow, &ball), &[Dab { x: 5, y: 4, z: 7 }])?;
+            model.undo().map(drop)
+        }),
+        ("session", |t| {
+            let mut session = Session::new(&SessionOptions::new(t.grid.lattice().clone()))?;
+            let ball = session.add_tip(TipShape::Sphere, [2.0; 3])?;
+            session.add_stroke(BrushKind::AddGrow, ball, &[Dab { x: 5, y: 4, z: 7 }])?;
+            let mut text = Vec::new();
+            session.write(&mut text)?;
+            Session::read(&text[..], 0)?.replay(None).map(drop)
+        }),
+        ("graded", |_| {
+            let mut cage = Cage::block([1; 3], [0.0; 3], [8.0; 3])?;
+            cage.add_property(&Channel::of_points(Property::density(), &[1000.0; 8]))?;
+            cage.refined(1, RefineRules::Standard, None)?.view(1)?;
+            let limit = cage.limit(RefineRules::Standard, None)?;
+            limit.locator()?.find(&[[4.0; 3]], 0.0, None)?;
+            let on = Lattice::new(8, 8, 8, 1.0, 1.0)?;
+            let (mut grid, mut density) = (Grid::new(&on)?, [0.0; 64]);
+            let mut sampler = Sampler::of_limit(&limit, &on, None, &[0], None)?;
+            sampler.slice(4, grid.slice_mut(4), &mut density)
+        }),
+        ("halftone", |_| {
+            let (halftone, half) = (Halftone::new(&Mask::builtin(), 2)?, [0.5; 64]);
+            let planes = [&half[..]];
+            let tones = Tones::new(8, 8, ToneValues::F64(&planes));
+            halftone.slice(&tones, Materials::counted(), None).map(drop)
+        }),
+        ("mixture", |_| {
+            let samples = [(0.0, 1.0), (1.0, 9.0)].map(|(x, y)| CurveSample { x, y, weight: 1.0 });
+            Curve::new(&samples, Trend::Auto)?.inverse(5.0)?;
+            let measured = [[2000.0, 1.2], [1.0, 1.1], [900.0, 0.9]];
+            let pure = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            Mixture::new(&pure, &measured, None)?.fractions(&[900.0, 1.0], None).map(drop)
         }),
         ("stand that panics", |t| {
             panics(|| {
