@@ -143,7 +143,16 @@ def bound_in_python():
     return set(re.findall(r"\b_?lib\.(sf_\w+)", code)) | {name + "_default" for name in options}
 
 
-BINDINGS = {"python": bound_in_python}
+def bound_in_rust():
+    """Functions that the safe crate calls. Its words name others, and so do comments."""
+    found = set()
+    for path in glob.glob(os.path.join(SOURCE, "bindings", "rust", "libsf", "src", "*.rs")):
+        if os.path.basename(path) != "words.rs":
+            found |= set(re.findall(r"\bsys::(sf_\w+)", re.sub(r"//[^\n]*", "", read(path))))
+    return found
+
+
+BINDINGS = {"python": bound_in_python, "rust": bound_in_rust}
 
 
 def are_bound(api):
