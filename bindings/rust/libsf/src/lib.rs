@@ -43,6 +43,18 @@
 //! [`Grid::printing`] says whether a part topples while it is printed, and [`Mesh::orient`] which way up it
 //! prints best.
 //!
+//! # Sculpted and graded
+//!
+//! A [`Sculpt`] is worked on with a [`Brush`] and prints after every stroke; a [`Session`] keeps what was done, and
+//! does it again to the same bits. A [`Cage`] of cells with properties at its points is [refined](Cage::refined),
+//! or goes straight to its smooth [`Limit`]; a [`Sampler`] slices that, a [`Mixture`] or a [`Curve`] says what to
+//! mix, and a [`Halftone`] makes layers of materials of it.
+//!
+//! # In and out
+//!
+//! Meshes, cages, sessions and certificates are read from any reader and written to any writer of Rust's; stacks
+//! of pictures are folders: [`Grid::save_stack`], [`Grid::load_stack`]. A [`ContourStack`] has layers as polygons.
+//!
 //! # What holds everywhere
 //!
 //! - A call that fails returns an [`Error`] and has changed nothing.
@@ -52,15 +64,16 @@
 //!   threads. Callbacks may panic: the call is stopped, and the panic goes on when it has returned.
 //! - Types are [`Send`]; those that many threads may read at once are [`Sync`]. What belongs to something else
 //!   is [`Lent`], and borrows it.
-//! - Memory comes from Rust's global allocator, also what C takes; where there is none, that is an error.
+//! - Memory comes from Rust's global allocator, also what libsf takes; where there is none, that is an error.
 //! - Words are those of the C headers, and what they say of `SF_ERR_SHAPE` holds for
-//!   [`ErrorKind::Shape`]. What is not here yet is in [`sys`].
+//!   [`ErrorKind::Shape`]. The few calls that are not here are in [`sys`].
 //!
 //! # Features
 //!
 //! | feature | what it does |
 //! |---|---|
 //! | `ndarray` | arrays in and out: [bools](Grid::from_bools), and the grid's own words |
+//! | `png`, `json` | stacks of pictures as PNG, and read back; libspng and jansson are found by pkg-config |
 //! | `system` | links to an installed libsf and libsf-io, found by pkg-config, and compiles nothing |
 
 #![deny(unsafe_op_in_unsafe_fn)]
