@@ -1,7 +1,8 @@
 # Why: sf.c and sf.h are made by a script that knows less of C than a compiler does. Here compilers
 # say whether it was right: with warnings as errors, as C99 and from C++, with the optional libraries
 # and without, and the golden vectors hold for it as they do for the library.
-# usage: one_file.sh FOLDER SOURCE GOLDEN NM COMPILER...; FOLDER: of sf.c and sf.h; NM may be empty
+# usage: one_file.sh FOLDER SOURCE GOLDEN NM COMPILER...; FOLDER: of sf.c and sf.h; GOLDEN: box3.json,
+# with tetrahedra.json beside it; NM may be empty
 set -u
 folder=$1 source=$2 golden=$3 nm=$4
 shift 4
@@ -64,7 +65,7 @@ vectors() {
     # shellcheck disable=SC2046
     $compiler -std=c99 -DSF_STATIC -I"$source/libsf/include" -I"$source/tests" \
         "$source/tests/golden/golden.c" "$here/sf.o" $(pkg-config --cflags --libs jansson) -lm \
-        -o "$here/golden" && "$here/golden" "$golden"
+        -o "$here/golden" && "$here/golden" "$golden" "$(dirname "$golden")/tetrahedra.json"
 }
 
 build >"$here/log" 2>&1
