@@ -5,7 +5,7 @@
 # A comment right before a block says more; readers do not see it:
 #
 #   <!-- file: NAME -->         the block is written to this file, and is no program
-#   <!-- first: COMMANDS -->    these are run before, quietly
+#   <!-- first: COMMANDS -->    these are run before, quietly; where they end with 77, the block is skipped
 #   <!-- exit: N -->            the status that the last command of a shell block must have (0)
 #   <!-- prints -->             the block is just what the one before it printed
 #   <!-- given: C -->           what a piece of C that is no program is compiled with: parameters
@@ -16,6 +16,7 @@
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -63,7 +64,7 @@ def stray(text):
 class Runner:
     """Runs the blocks of one page in one folder."""
 
-    def __init__(self, source, build, folder, seconds=120):
+    def __init__(self, source, build, folder, seconds=300):
         self.source, self.build, self.folder, self.seconds = source, build, folder, seconds
         self.printed, self.python_so_far = "", []
         os.makedirs(folder, exist_ok=True)
@@ -94,6 +95,8 @@ class Runner:
             return "skip: " + block.says["not run"] if block.says["not run"] else "'not run' has no reason"
         if "first" in block.says:
             status, said = self.command("sh", "-euc", block.says["first"])
+            if status == 77:
+                return f"skip: {said.strip() or 'what goes before it is not to be had'}"
             if status != 0:
                 return f"what goes before it ends with {status}:\n{said}"
         if "file" in block.says:
@@ -102,9 +105,14 @@ class Runner:
         if "prints" in block.says:
             return self.compare(block)
         way = getattr(self, "run_" + block.language, None)
-        return way(block) if way else None
+        wrong = way(block) if way else None
+        if wrong and wrong.startswith("skip: "):
+            self.printed = None
+        return wrong
 
     def compare(self, block):
+        if self.printed is None:
+            return "skip: what prints it was not run"
         shown, printed = block.text.strip(), self.printed.strip()
         return None if shown == printed else f"it shows\n{shown}\nbut what was printed is\n{printed}"
 
@@ -163,9 +171,9 @@ class Runner:
 
     def run_rust(self, block):
         """A program, run by cargo on the libraries of this build, where cargo has what it needs."""
-        crate = os.path.join(self.build, "rust", "crates", "libsf")
-        if not os.path.isfile(os.path.join(crate, "Cargo.toml")):
-            return "skip: the suite 'rust', which fetches what the crates need, was not run before"
+        if shutil.which("cargo") is None:
+            return "skip: cargo is not installed"
+        crate = os.path.join(self.source, "bindings", "rust", "libsf")
         folder = os.path.join(self.folder, "rust")
         os.makedirs(os.path.join(folder, "src"), exist_ok=True)
         with open(os.path.join(folder, "Cargo.toml"), "w", encoding="utf-8") as file:
@@ -177,6 +185,6 @@ class Runner:
         status, said = self.command("cargo", "run", "--offline", "--quiet", "--manifest-path",
                                     os.path.join(folder, "Cargo.toml"))
         if status == 101 and "offline" in said:
-            return "skip: the crates that it is built with cannot be had"
+            return "skip: the crates that it is built with are not there; the suite 'rust' fetches them"
         self.printed = said
         return None if status == 0 else said

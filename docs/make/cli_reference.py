@@ -8,7 +8,9 @@ import words
 
 
 def help_of(*command):
-    return subprocess.run([*command, "--help"], capture_output=True, text=True, check=True).stdout
+    """What is said, whatever the status: where there is no --help it is the usage."""
+    run = subprocess.run([*command, "--help"], capture_output=True, text=True)
+    return run.stdout or run.stderr
 
 
 def verbs(text):

@@ -68,7 +68,8 @@ def reference(source, build, place):
     for name, text in python_reference.pages(source, api):
         write(text, place, "reference", "python", name + ".rst")
     write(rust_reference.page(api, os.path.join(source, "bindings", "rust", "libsf", "src")), place, "reference", "rust.rst")
-    more = [("sf-verify", os.path.join(build, "demo", "verify", "sf-verify"))]
+    more = [("sf-verify", os.path.join(build, "demo", "verify", "sf-verify")),
+            ("sf-chip", os.path.join(build, "demo", "firmware", "sf-chip"))]
     write(cli_reference.page(os.path.join(build, "demo", "sf", "sf"), [m for m in more if os.path.exists(m[1])]),
           place, "reference", "cli.rst")
     write(performance.page(os.path.join(source, "docs", "performance.json")), place, "performance.rst")
