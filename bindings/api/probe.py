@@ -16,9 +16,11 @@ HEAD = """// SPDX-License-Identifier: MIT
 #include "test.h"
 
 #include <sf/cage_io.h>
+#include <sf/contour_io.h>
 #include <sf/exchange.h>
 #include <sf/gltf.h>
 #include <sf/io.h>
+#include <sf/job.h>
 #include <sf/layers.h>
 #include <sf/session.h>
 #include <sf/sf.h>

@@ -6,6 +6,7 @@
 #ifndef SF_IO_DISK_H
 #define SF_IO_DISK_H
 
+#include <stdint.h>
 #include <stdio.h>
 
 typedef enum sfi_disk_kind {
@@ -25,6 +26,10 @@ int sfi_disk_create(const char *path, FILE **file);
 
 // Everything written so far, onto the disk itself.
 int sfi_disk_sync(FILE *file);
+
+// The size of an open file, and a move to a place in it; files of any size.
+int sfi_disk_size(FILE *file, uint64_t *size);
+int sfi_disk_seek(FILE *file, uint64_t offset);
 
 // Give `path` the access rights of `model`, where there are such rights.
 void sfi_disk_copy_rights(const char *path, const char *model);

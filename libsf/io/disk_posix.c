@@ -3,6 +3,7 @@
 // the same list.
 
 #define _POSIX_C_SOURCE 200809L
+#define _FILE_OFFSET_BITS 64
 
 #include "io/disk.h"
 
@@ -64,6 +65,25 @@ int sfi_disk_sync(FILE *file)
     }
     // Some file systems have nothing to sync and say so with EINVAL.
     return reason(fsync(fileno(file)) != 0 && errno != EINVAL && errno != ENOTSUP);
+}
+
+int sfi_disk_size(FILE *file, uint64_t *size)
+{
+    struct stat found;
+    errno = 0;
+    if (fstat(fileno(file), &found) != 0 || found.st_size < 0 || !S_ISREG(found.st_mode)) {
+        return reason(1);
+    }
+    *size = (uint64_t)found.st_size;
+    return 0;
+}
+
+int sfi_disk_seek(FILE *file, uint64_t offset)
+{
+    if (offset > INT64_MAX) {
+        return EOVERFLOW;
+    }
+    return reason(fseeko(file, (off_t)offset, SEEK_SET) != 0);
 }
 
 void sfi_disk_copy_rights(const char *path, const char *model)

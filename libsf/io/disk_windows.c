@@ -80,6 +80,21 @@ int sfi_disk_sync(FILE *file)
     return fflush(file) != 0 || _commit(_fileno(file)) != 0 ? (errno != 0 ? errno : EIO) : 0;
 }
 
+int sfi_disk_size(FILE *file, uint64_t *size)
+{
+    __int64 found = _filelengthi64(_fileno(file));
+    if (found < 0) {
+        return EIO;
+    }
+    *size = (uint64_t)found;
+    return 0;
+}
+
+int sfi_disk_seek(FILE *file, uint64_t offset)
+{
+    return offset <= INT64_MAX && _fseeki64(file, (__int64)offset, SEEK_SET) == 0 ? 0 : EIO;
+}
+
 void sfi_disk_copy_rights(const char *path, const char *model)
 {
     (void)path; // rights come from the folder

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A path turned into a source.
+// A path turned into a source, or into bytes that can be read anywhere; and bytes of memory.
 
-#include <sf/io.h>
+#include <sf/job.h>
 
 #include "base/memory.h"
 #include "base/status.h"
@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 struct sf_file {
     sf_allocator allocator;
@@ -52,6 +53,46 @@ sf_source sf_file_source(sf_file *file)
 {
     sf_source source = {file != NULL ? read_stream : NULL, file};
     return source;
+}
+
+static sf_status read_at(void *user, uint64_t offset, void *data, size_t size)
+{
+    sf_file *file = user;
+    if (sfi_disk_seek(file->stream, offset) != 0) {
+        return SF_ERR_IO;
+    }
+    return fread(data, 1, size, file->stream) == size ? SF_OK : SF_ERR_IO;
+}
+
+sf_status sf_file_bytes(sf_file *file, sf_bytes *bytes, sf_fault *fault)
+{
+    uint64_t size = 0;
+    if (file == NULL || bytes == NULL) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "no file, or no place for its bytes");
+    }
+    if (sfi_disk_size(file->stream, &size) != 0) {
+        return sfi_fault_set(fault, SF_ERR_IO, 0, 0,
+                             "it is no ordinary file, which could be read at any place");
+    }
+    sf_bytes made = {read_at, size, file};
+    *bytes = made;
+    return SF_OK;
+}
+
+static sf_status copy_at(void *user, uint64_t offset, void *data, size_t size)
+{
+    const sf_memory_cursor *memory = user;
+    if (size > memory->size || offset > memory->size - size) {
+        return SF_ERR_IO;
+    }
+    memcpy(data, (const unsigned char *)memory->data + offset, size);
+    return SF_OK;
+}
+
+sf_bytes sf_memory_bytes(sf_memory_cursor *memory)
+{
+    sf_bytes bytes = {copy_at, memory->size, memory};
+    return bytes;
 }
 
 void sf_file_close(sf_file *file)

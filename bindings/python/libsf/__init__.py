@@ -23,11 +23,13 @@ from .cages import (Cage, CageFormat, CageHistory, Falloff, PaintOperation, Pain
 from .carving import (CarveGoal, CarveMode, Carved, Drained, carve, clearance, density, drain,
                       wall, wall_inside)
 from .certificates import Certificate, Operation, sha256
-from .contours import ContourFill, ContourLayer, ContourStack, layer_from_contours
+from .contours import (ContourFill, ContourFormat, ContourLayer, ContourStack,
+                       layer_from_contours)
 from .errors import (ArgumentError, CancelledError, CapacityError, Error, FileError, FormatError,
                      InfeasibleError, InternalError, OutOfMemoryError, ShapeError, TooLargeError,
                      UnsupportedError)
 from .halftoning import Diffuser, Mask, MaskKind, Shell, halftone, material_uses
+from .jobs import Job, JobFormat, jobs_have_sl1, save_sl1
 from .layers import Border, Components, Connectivity, Element, Isa, Layer, limit_isa
 from .limits import Limit, Locator, NO_PIECE, Sampler, Slice
 from .mesh import Fill, Mesh, MeshFormat, Voxelizer, orient, surface, voxelize
@@ -50,9 +52,9 @@ __all__ = [
     "ArgumentError", "Balance", "Blend", "Border", "BrushKind", "Cage", "CageFormat",
     "CageHistory", "CancelledError", "CapacityError", "CarveGoal", "CarveMode", "Carved",
     "Certificate", "Change", "Channel", "Checked", "Checker", "Components", "Connectivity",
-    "ContourFill", "ContourLayer", "ContourStack", "Costs", "Curve", "Diffuser", "Drained", "Element", "Emitted", "Error", "Falloff",
+    "ContourFill", "ContourFormat", "ContourLayer", "ContourStack", "Costs", "Curve", "Diffuser", "Drained", "Element", "Emitted", "Error", "Falloff",
     "FileError", "Fill", "FormatError", "Grid", "Grown", "Handle", "HandleKind",
-    "InfeasibleError", "InternalError", "Isa", "Landing", "Lattice", "Layer", "Limit",
+    "InfeasibleError", "InternalError", "Isa", "Job", "JobFormat", "Landing", "Lattice", "Layer", "Limit",
     "Locator", "Mask", "MaskKind", "Material", "Mesh", "MeshFormat", "Mixture", "NO_PIECE",
     "Operation", "OutOfMemoryError", "PaintOperation", "PaintWhere", "Path", "PathCost",
     "PathEnd", "PathFinder", "PathMap", "Pose", "Preserved", "Printing", "Property",
@@ -62,10 +64,10 @@ __all__ = [
     "Trend", "Trimmed", "Unbent", "UnsupportedError", "Verdict", "Voids", "Voxelizer",
     "Weights", "WeightsMethod", "add_bodies", "ballast_body", "body", "brush_name", "carve",
     "center_of_mass", "check", "clearance", "complete", "costs", "cover", "culprits", "density",
-    "drain", "emit", "foot", "grow", "halftone", "handle_center", "known_property",
+    "drain", "emit", "foot", "grow", "halftone", "handle_center", "jobs_have_sl1", "known_property",
     "layer_from_contours", "limit_isa",
     "load_stack", "material_uses", "orient", "place_handles", "preserve", "printing", "repair",
-    "rest", "save_materials", "save_picture", "save_stack", "sha256", "stacks_are_png", "stand",
+    "rest", "save_materials", "save_picture", "save_sl1", "save_stack", "sha256", "stacks_are_png", "stand",
     "steepest", "surface", "trim", "unsupported", "update_trim", "voids", "voxelize", "wall",
     "wall_inside",
 ]

@@ -12,9 +12,9 @@ from typing import Any, Iterable, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _core
+from . import _core, _files
 from ._core import Progress, documented, ffi, lib, ok, running
-from ._types import ContourFill
+from ._types import ContourFill, ContourFormat
 from .layers import Layer
 from .voxel import Grid, Lattice, _lattice, lattice_of
 
@@ -72,6 +72,24 @@ class ContourStack:
         made = cls.__new__(cls)
         made._take(c)
         return made
+
+    @classmethod
+    @documented("sf_contour_stack_read")
+    def load(cls, file: _files.Readable, *, points_max: int | None = None) -> ContourStack:
+        """Read a CLI file: a path, bytes, or an open file."""
+        made, fault = ffi.new("sf_contour_stack **"), _core.new_fault()
+        limits = ffi.new("sf_read_limits *", lib.sf_read_limits_default())
+        if points_max is not None:
+            limits.vertices_max = points_max
+        with _files.source(file) as of:
+            ok(lib.sf_contour_stack_read(of, limits, ffi.NULL, made, fault), fault)
+        return cls._of(made[0])
+
+    @documented("sf_contour_stack_write")
+    def save(self, file: _files.Writable, format: ContourFormat = ContourFormat.TEXT) -> None:
+        """Write a CLI file."""
+        with _files.sink(file) as to:
+            ok(lib.sf_contour_stack_write(self._c, int(format), to))
 
     @documented("sf_contour_stack_add")
     def add(self, top_mm: float, polygons: Iterable[Any]) -> None:
@@ -143,4 +161,4 @@ def layer_from_contours(lattice: Lattice, polygons: Iterable[Any],
     return made
 
 
-__all__ = ["ContourFill", "ContourLayer", "ContourStack", "layer_from_contours"]
+__all__ = ["ContourFill", "ContourFormat", "ContourLayer", "ContourStack", "layer_from_contours"]

@@ -1,5 +1,6 @@
 """Polygons to voxels and back, against areas and voxels that can be told by hand."""
 
+import io
 import unittest
 
 import numpy as np
@@ -46,6 +47,20 @@ class Contours(unittest.TestCase):
         self.assertTrue(checker.report().support_free)
         checker.push_contours([[[0, 0], [8, 0], [8, 8], [0, 8]]])
         self.assertEqual(checker.report().report.unsupported_voxels, 64 - 25)
+
+    def test_files(self):
+        stack = libsf.ContourStack()
+        stack.add(0.1, [SQUARE, INNER[::-1]])
+        stack.add(0.2, [SQUARE])
+        for format in libsf.ContourFormat:
+            file = io.BytesIO()
+            stack.save(file, format)
+            back = libsf.ContourStack.load(file.getvalue())
+            self.assertEqual([k.area_mm2 for k in (back[0], back[1])], [12.0, 16.0])
+        with self.assertRaises(libsf.TooLargeError):
+            libsf.ContourStack.load(file.getvalue(), points_max=3)
+        with self.assertRaisesRegex(libsf.FormatError, "CLI"):
+            libsf.ContourStack.load(b"no such file")
 
     def test_points_that_cannot_be_are_named(self):
         with self.assertRaisesRegex(libsf.ArgumentError, "point 1 "):

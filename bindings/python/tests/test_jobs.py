@@ -1,0 +1,79 @@
+"""Jobs of resin printers, against zipfile of Python's and bytes that are made by hand."""
+
+import io
+import os
+import struct
+import tempfile
+import unittest
+import zipfile
+
+import numpy as np
+
+import libsf
+
+
+def photon(layers, pitch=0.05, height=0.1):
+    """A .photon of bools (layer, y, x), row 0 the lowest."""
+    nz, ny, nx = layers.shape
+    runs = []
+    for layer in layers:
+        bits = layer[::-1].ravel()
+        runs.append(bytes((128 if bit else 0) | 1 for bit in bits))  # a run for each pixel
+    table, at = b"", 112 + 36 * nz
+    for k, data in enumerate(runs):
+        table += struct.pack("<3f2I4I", k * height, 1, 1, at, len(data), 0, 0, 0, 0)
+        at += len(data)
+    head = struct.pack("<2I3f", 0x12FD0019, 1, nx * pitch, ny * pitch, 100).ljust(0x20, b"\0")
+    head += struct.pack("<f", height).ljust(0x14, b"\0") + struct.pack("<2I", nx, ny).ljust(12, b"\0")
+    head += struct.pack("<2I", 112, nz)
+    return head.ljust(112, b"\0") + table + b"".join(runs)
+
+
+class Jobs(unittest.TestCase):
+    def setUp(self):
+        self.array = np.random.default_rng(9).random((4, 21, 67)) < 0.4
+
+    def test_photon(self):
+        with libsf.Job(photon(self.array)) as job:
+            self.assertEqual(job.lattice.shape, (4, 21, 67))
+            self.assertEqual((job.lattice.pitch_mm, job.lattice.layer_mm), ((0.05, 0.05), 0.1))
+            self.assertEqual(job.info.format, libsf.JobFormat.PHOTON)
+            for k, layer in enumerate(job):
+                np.testing.assert_array_equal(layer.array(), self.array[k])
+            np.testing.assert_array_equal(job.greys(-1), self.array[3] * np.uint8(255))
+        with self.assertRaisesRegex(libsf.FormatError, "cut short|does not lie"):
+            libsf.Job(photon(self.array)[:-5])
+
+    @unittest.skipUnless(libsf.jobs_have_sl1(), "this build has no SL1")
+    def test_sl1(self):
+        grid = libsf.Grid.from_array(self.array, pitch_mm=(0.1, 0.2), layer_mm=0.05)
+        file = io.BytesIO()
+        libsf.save_sl1(grid, file, name="part", exposure_s=6)
+        names = zipfile.ZipFile(file).namelist()
+        self.assertEqual(names[2:], [f"part{k:05}.png" for k in range(4)])
+        self.assertIn(b"expTime = 6\n", zipfile.ZipFile(file).read("config.ini"))
+        with tempfile.TemporaryDirectory() as folder:
+            path, fixed = os.path.join(folder, "job.sl1"), os.path.join(folder, "fixed.sl1")
+            with open(path, "wb") as to:
+                to.write(file.getvalue())
+            with libsf.Job(path) as job:
+                self.assertEqual(job.grid(), grid)
+                changed = libsf.trim(grid, "box3").grid
+                self.assertEqual(job.rewrite(grid, io.BytesIO()), 0)
+                self.assertGreater(job.rewrite(changed, fixed), 0)
+            with libsf.Job(fixed) as job:
+                self.assertEqual(job.grid(), changed)
+            before, after = zipfile.ZipFile(path), zipfile.ZipFile(fixed)
+            self.assertIsNone(after.testzip())
+            self.assertEqual(before.read("config.ini"), after.read("config.ini"))
+
+    def test_what_is_no_job(self):
+        for data in (b"", b"PK", b"solid part", b"PK\5\6" + 18 * b"\0"):
+            with self.assertRaises((libsf.FormatError, libsf.UnsupportedError)):
+                libsf.Job(data)
+        with self.assertRaises(libsf.ArgumentError):
+            libsf.Job(photon(self.array), threshold=0)
+
+
+if __name__ == "__main__":
+    unittest.main()
