@@ -113,6 +113,49 @@ SF_API SF_CHECKED sf_status sf_handle_center(const sf_grid *solid, const double 
                                              const double direction[3], double center_mm[3],
                                              sf_fault *fault);
 
+/** Where a ray meets a surface. */
+typedef struct sf_ray_hit {
+    double along;      /**< how many times the direction's length from the ray's beginning */
+    uint32_t triangle; /**< which triangle, or whatever the caster numbers */
+    int leaves;        /**< 1: the ray comes from inside there; 0: it enters */
+} sf_ray_hit;
+
+/**
+ * Somebody who finds where rays meet a closed surface, as <sf/link/embree.h> does.
+ *
+ * `next` leaves the nearest hit with `along` greater than `beyond`, and 1 in `found`; or 0 in
+ * `found` where there is none. What it returns is passed on where it is not SF_OK.
+ */
+typedef struct sf_ray_caster {
+    sf_status (*next)(void *user, const double from_mm[3], const double direction[3], double beyond,
+                      sf_ray_hit *hit, int *found); /**< finds the next hit */
+    void *user;                                     /**< handed to it; may be NULL */
+} sf_ray_caster;
+
+/**
+ * The middle of the solid behind a point, by rays instead of voxels: sf_handle_center() of a
+ * surface.
+ *
+ * Where the surface goes through itself, the ray leaves the solid when it has left as often as it
+ * entered. A ray that leaves first begins inside.
+ *
+ * @param caster     who finds hits
+ * @param from_mm    where the ray begins
+ * @param direction  where it runs, of any length but 0
+ * @param center_mm  receives the middle; may be `from_mm`
+ * @param fault      NULL, or receives a sentence on failure
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a point or direction that is not finite, a
+ * direction without length; SF_ERR_INFEASIBLE: the ray does not enter and leave the surface, or
+ * meets it more than 100,000 times; SF_ERR_INTERNAL: a caster that goes backwards; or what the
+ * caster returned.
+ * @cost one call of the caster for each hit.   @threads as the caster.
+ * @source as sf_handle_center().
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_handle_center_by_rays(sf_ray_caster caster, const double from_mm[3],
+                                                     const double direction[3], double center_mm[3],
+                                                     sf_fault *fault);
+
 /** How handles are placed. Fill with sf_place_options_default(). */
 typedef struct sf_place_options {
     size_t struct_size;  /**< sizeof(sf_place_options), set by the default */
