@@ -84,7 +84,10 @@ sf_task *world_task(world *w)
     if (!w->in.sane && choice % 16 == 0) {
         w->cancel_at = draw_below(&w->in, 4);
     }
-    return choice & 1 ? &w->task : NULL;
+    if (w->cancel_wanted >= 0) {
+        w->cancel_at = w->cancel_wanted;
+    }
+    return choice & 1 || w->cancel_wanted >= 0 ? &w->task : NULL;
 }
 
 sf_fault *world_fault(world *w)

@@ -369,7 +369,7 @@ def write(path):
         for name in re.findall(r"\barray_(\w+)\(", text):
             array_of({"kind": "struct" if name.startswith("sf_") else "integer", "name": name})
     calls = [call(f) for f in functions]
-    table = "\n".join(f'    {{"{f["name"]}", call_{f["name"]}, '
+    table = "\n".join(f'    {{"{f["name"]}", "{f["header"][3:-2]}", call_{f["name"]}, '
                       f'{int(f["returns"]["type"].get("name") == "sf_status")}, '
                       f'{SHAPES.rare.get(f["name"], 1)}}},' for f in functions)
     with open(path, "w", encoding="utf-8") as file:

@@ -153,8 +153,11 @@ static void save_words(void)
 // Strings of bytes in which every function is chosen; the engine finds better ones.
 static void save_calls(void)
 {
+    static const char *const called[] = {
+        "api",          "calls_balance", "calls_grade", "calls_io", "calls_mesh",
+        "calls_sculpt", "calls_support", "calls_voxel", "chip",     "ops"};
     uint8_t string[400];
-    for (uint32_t i = 0; i < 48; i++) {
+    for (uint32_t i = 0; i < 16; i++) {
         uint64_t state = 0x9e3779b97f4a7c15u * (i + 1);
         char name[32];
         for (size_t j = 0; j < sizeof string; j++) {
@@ -164,8 +167,9 @@ static void save_calls(void)
             string[j] = (uint8_t)(state >> 24);
         }
         snprintf(name, sizeof name, "%02u", i);
-        save("api", name, string, sizeof string);
-        save("chip", name, string, sizeof string);
+        for (size_t j = 0; j < sizeof called / sizeof *called; j++) {
+            save(called[j], name, string, sizeof string);
+        }
     }
 }
 

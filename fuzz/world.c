@@ -34,8 +34,8 @@ static int is_refused(world *w, size_t size)
         return 0;
     }
     long index = w->requests++;
-    return (w->fail_at >= 0 && index >= w->fail_at) || dice(w) % 256 < w->chance ||
-           size > WORLD_BYTES_MAX || w->bytes + size > WORLD_BYTES_MAX;
+    return (w->fail_at >= 0 && (w->fail_once ? index == w->fail_at : index >= w->fail_at)) ||
+           dice(w) % 256 < w->chance || size > WORLD_BYTES_MAX || w->bytes + size > WORLD_BYTES_MAX;
 }
 
 static void *take(void *user, size_t size, size_t align)
@@ -220,7 +220,7 @@ void world_begin(world *w, const void *bytes, size_t size, int sane)
     sf_allocator allocator = {take, give, w};
     w->in = in;
     w->allocator = allocator;
-    w->fail_at = w->break_at = w->cancel_at = -1;
+    w->fail_at = w->break_at = w->cancel_at = w->cancel_wanted = -1;
     w->dice = 0x9e3779b97f4a7c15u ^ draw_word(&w->in);
     w->dice += w->dice == 0;
     uint32_t luck = draw_byte(&w->in);
@@ -257,6 +257,7 @@ void world_end(world *w)
 void world_arm(world *w, const char *function)
 {
     w->function = function;
+    w->called = 1;
     w->requests = w->refusals = w->transfers = w->breaks = w->ticks = 0;
     w->progress = 0;
     w->missing = 0;

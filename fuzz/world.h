@@ -59,15 +59,17 @@ typedef struct world {
 
     sf_allocator allocator;
     long requests, fail_at; // since the call began; the first request that is refused, or -1
+    int fail_once;          // only that one is
     long refusals, live, faults;
     size_t bytes;
     uint32_t chance; // of 256 that a request is refused; 0: never
     uint64_t dice;
-    int armed;
+    int armed, called; // called: the call was made, its arguments were there
 
     sf_task task;
     double progress;
     long ticks, cancel_at;
+    long cancel_wanted; // a test's: every call gets a task, which is cancelled at that tick; or -1
 
     sf_fault fault;
     sf_fault *fault_given;
@@ -89,7 +91,7 @@ typedef struct world {
 
 /** A function of the library, called in a world. */
 typedef struct world_call {
-    const char *name;
+    const char *name, *header;   // header: "grid" of <sf/grid.h>
     sf_status (*call)(world *w); // SF_OK where it returns no status
     int has_status;
     uint32_t rarity; // slow ones are called one time in so many

@@ -368,6 +368,23 @@ static void remember(const sf_stand *s, const sf_stand_report *r, attempt *a)
     }
 }
 
+// What a round takes its time for, after its handles have moved: shares of its progress.
+static const double moved = 0.3, carved = 0.9;
+
+// A shape with its poses is bent, carved and looked at; progress goes on from `moved`.
+static sf_status realize(const sf_stand *s, sf_carve_goal goal, sfi_progress *progress, attempt *a,
+                         sf_stand_report *report)
+{
+    sfi_part carving, looking;
+    sfi_part_begin(&carving, progress, moved, carved);
+    sfi_part_begin(&looking, progress, carved, 1);
+    if (sfi_stand_bends(s)) {
+        SF_TRY(bend(s, &carving.task, a));
+    }
+    SF_TRY(carve(s, goal, &carving.task, a));
+    return describe(s, &looking.task, a, report);
+}
+
 // The best round again. As was asked, it is carved with as much matter left as can be; if that
 // should not do, as before.
 static sf_status finish(sf_stand *s, sf_task *task)
@@ -376,19 +393,17 @@ static sf_status finish(sf_stand *s, sf_task *task)
     if (!sfi_stand_bends(s)) {
         return SF_OK;
     }
+    sfi_progress progress = sfi_progress_begin(task);
     for (int i = 0; i < 2; i++) {
         attempt a;
         sf_stand_report report;
+        sfi_part half;
+        sfi_part_begin(&half, &progress, i / 2.0, (i + 1) / 2.0);
+        sfi_progress within = sfi_progress_begin(&half.task);
         sf_status status = begin(s, &a);
         if (status == SF_OK) {
             memcpy(a.poses, s->best.poses, s->handle_count * sizeof *a.poses);
-            status = bend(s, task, &a);
-        }
-        if (status == SF_OK) {
-            status = carve(s, goals[i], task, &a);
-        }
-        if (status == SF_OK) {
-            status = describe(s, task, &a, &report);
+            status = realize(s, goals[i], &within, &a, &report);
         }
         if (status == SF_OK) {
             report.rounds--; // it is no new one
@@ -404,15 +419,14 @@ static sf_status finish(sf_stand *s, sf_task *task)
 
 static sf_status make_round(const sf_stand *s, sf_task *task, attempt *a, sf_stand_report *report)
 {
+    sfi_progress progress = sfi_progress_begin(task);
+    sfi_part moving;
+    sfi_part_begin(&moving, &progress, 0, moved);
     SF_TRY(begin(s, a));
-    if (sfi_stand_bends(s)) {
-        if (s->report.rounds > 0) {
-            SF_TRY(move_handles(s, task, a));
-        }
-        SF_TRY(bend(s, task, a));
+    if (sfi_stand_bends(s) && s->report.rounds > 0) {
+        SF_TRY(move_handles(s, &moving.task, a));
     }
-    SF_TRY(carve(s, goal_of(s), task, a));
-    SF_TRY(describe(s, task, a, report));
+    SF_TRY(realize(s, goal_of(s), &progress, a, report));
     remember(s, report, a);
     return SF_OK;
 }
@@ -422,12 +436,16 @@ static sf_status go_round(sf_stand *s, sf_task *task)
 {
     attempt a;
     sf_stand_report report;
-    sf_status status = make_round(s, task, &a, &report);
+    sfi_progress progress = sfi_progress_begin(task);
+    sfi_part first, last;
+    sfi_part_begin(&first, &progress, 0, 0.7);
+    sfi_part_begin(&last, &progress, 0.7, 1);
+    sf_status status = make_round(s, &first.task, &a, &report);
     int still = status == SF_OK && is_still(s, &a);
     if (status == SF_OK) {
         change_places(s, &a, &report);
         if (still || is_over(s, &s->report)) {
-            status = finish(s, task);
+            status = finish(s, &last.task);
             s->report.ended = 1;
         }
         if (status != SF_OK) {

@@ -113,6 +113,32 @@ static void cancelled_it_goes_on(void)
     sf_stand_destroy(whole);
 }
 
+static void never_falls(void *user, double fraction)
+{
+    double *last = user;
+    CHECK(fraction >= *last && fraction <= 1);
+    *last = fraction;
+}
+
+// A round moves handles, bends, carves and looks, each with a progress of its own; the last one
+// does part of that again. To its caller it is one call.
+static void progress_of_a_round_never_falls(void)
+{
+    sf_stand_options o = options_of(1, SF_CARVE_SUPPORT_FREE);
+    sf_stance_options stance = sf_stance_options_default();
+    o.rounds_max = 3;
+    sf_stand *stand = make(0.35, &o, 1, &stance);
+    for (int round = 0; round < 3; round++) {
+        double last = 0;
+        sf_task task = sf_task_default();
+        task.progress = never_falls;
+        task.user = &last;
+        CHECK_EQ(sf_stand_round(stand, &task, NULL), SF_OK);
+        CHECK(last > 0.5 || sf_stand_describe(stand).ended);
+    }
+    sf_stand_destroy(stand);
+}
+
 static double denser_above(void *user, const double p[3])
 {
     (void)user;
@@ -161,6 +187,7 @@ int main(void)
     TEST(nonsense_is_refused);
     TEST(a_wall_thicker_than_the_part);
     TEST(cancelled_it_goes_on);
+    TEST(progress_of_a_round_never_falls);
     TEST(memory_may_fail_anywhere);
     return test_finish();
 }
