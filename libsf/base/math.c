@@ -23,8 +23,9 @@
 #if defined(__FAST_MATH__)
 #error "fast-math changes results; build without -ffast-math and -Ofast"
 #endif
+// Each type must be computed as itself: not doubles in 80 bits, and not floats as doubles either.
 #if FLT_EVAL_METHOD != 0
-#error "doubles must be computed as doubles; on 32-bit x86 build with -msse2 -mfpmath=sse"
+#error "on 32-bit x86 build with -msse2 -mfpmath=sse, on s390x with -fexcess-precision=fast"
 #endif
 
 #define HALF_PI_HIGH 0x1.921fb54442d18p+0

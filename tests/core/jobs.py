@@ -75,21 +75,18 @@ def chance(path, seed, width=200, height=90, layers=14):
 
 
 def combs(path, width, height):
-    """As many runs as there can be, and none of the second layer's on the first."""
-    comb = [(x, x + 1) for x in range(0, width, 4)]
-    other = [(x + 2, x + 3) for x, _ in comb if x + 3 <= width]
-    empty = []
-    teeth = [[comb if y % 3 == 0 else empty for y in range(height)],
-             [other if y % 3 == 0 else empty for y in range(height)]]
-    return write(path, width, height, teeth)
+    """Rows of single voxels, as many as there can be; in the second layer nothing carries them, but
+    for the first two rows."""
+    comb = [(x, x + 1) for x in range(0, width, 2)]
+    return write(path, width, height, [[comb] + [[]] * (height - 1), [comb] * height])
 
 
-def two_rows(path, run_count):
-    """All the runs that a layer may have, in as few rows as will hold them."""
-    width = 6000
-    comb = [(x, x + 1) for x in range(0, 4 * (run_count // 2), 4)]
-    other = [(x + 2, x + 3) for x, _ in comb]
-    return write(path, width, 3, [[comb, [], comb], [[], other, other]])
+def all_runs(path, run_count):
+    """All the runs that a layer may have: in one row, and below it in the three that it looks at."""
+    width, third = 4 * run_count, run_count // 3
+    below = [(x, x + 1) for x in range(0, 12 * third, 12)]
+    above = [(x + 2, x + 3) for x in range(0, 4 * run_count, 4)]
+    return write(path, width, 3, [[below] * 3, [[], above, []]])
 
 
 def sl1(path, archive, folder, pack):

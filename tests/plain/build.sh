@@ -11,8 +11,12 @@ out=$1 purpose=$2
 mkdir -p "$out"
 cc=${CC:-cc}
 flags="-std=c99 ${PLAIN_FLAGS:--O2} -ffp-contract=off -DSF_STATIC -DSF_BUILDING -Ilibsf/include"
-# Doubles in the 80-bit registers of 32-bit x86 would be other bytes than everywhere else.
-case $($cc -dumpmachine 2>/dev/null) in i?86-*) flags="$flags -msse2 -mfpmath=sse" ;; esac
+# Doubles in the 80-bit registers of 32-bit x86 would be other bytes than everywhere else, and floats
+# that s390x's gcc computes as doubles.
+case $($cc -dumpmachine 2>/dev/null) in
+i?86-*) flags="$flags -msse2 -mfpmath=sse" ;;
+s390x-*) flags="$flags -fexcess-precision=fast" ;;
+esac
 inside="-Ilibsf -Itests -Idemo/scenes"
 
 # One header that is newer than the last build stands for all of them.
