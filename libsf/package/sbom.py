@@ -1,0 +1,80 @@
+# What went into a build, as SPDX 2.3 in JSON: the project itself and every library that meson found.
+# Without times or places of its own, so that two builds write the same bytes: `created` is
+# SOURCE_DATE_EPOCH, or the beginning of time.
+#
+# usage: sbom.py BUILD VERSION
+
+import datetime
+import hashlib
+import json
+import os
+import sys
+
+# By meson's name: the licence, who makes it, what it is for.
+LIBRARIES = {
+    "cairo": ("LGPL-2.1-only OR MPL-1.1", "https://cairographics.org", "words in pictures"),
+    "embree": ("Apache-2.0", "https://www.embree.org", "rays"),
+    "epoxy": ("MIT", "https://github.com/anholt/libepoxy", "sculpting on the graphics card"),
+    "expat": ("MIT", "https://libexpat.github.io", "3MF"),
+    "glfw3": ("Zlib", "https://www.glfw.org", "the window"),
+    "hdf5": ("BSD-3-Clause", "https://www.hdfgroup.org", "exchange files"),
+    "hdf5-serial": ("BSD-3-Clause", "https://www.hdfgroup.org", "exchange files"),
+    "hidapi-hidraw": ("BSD-3-Clause", "https://github.com/libusb/hidapi", "SpaceMice"),
+    "imgui": ("MIT", "https://github.com/ocornut/imgui", "the panel"),
+    "jansson": ("MIT", "https://github.com/akheron/jansson", "JSON"),
+    "libpng": ("libpng-2.0", "http://www.libpng.org", "PNG"),
+    "libzip": ("BSD-3-Clause", "https://libzip.org", "3MF and SL1"),
+    "muparser": ("BSD-2-Clause", "https://github.com/beltoforion/muparser", "formulas in recipes"),
+    "opensubdiv": ("Apache-2.0", "https://graphics.pixar.com/opensubdiv", "limit surfaces to compare with"),
+    "osdCPU": ("Apache-2.0", "https://graphics.pixar.com/opensubdiv", "limit surfaces to compare with"),
+    "spng": ("BSD-2-Clause", "https://libspng.org", "PNG"),
+    "tet": ("AGPL-3.0-or-later", "https://wias-berlin.de/software/tetgen", "tetrahedra, in a program apart"),
+    "tinygltf": ("MIT", "https://github.com/syoyo/tinygltf", "glTF"),
+    "zlib": ("Zlib", "https://zlib.net", "compression"),
+}
+# Not libraries that anything is linked with: the platform's own, and the Python that is built for.
+PLATFORM = ("threads", "dl", "m", "python", "pybind")
+
+
+def package(name, version, licence, home, purpose):
+    found = {"SPDXID": "SPDXRef-" + name.replace("_", "-"), "name": name, "versionInfo": version,
+             "downloadLocation": home or "NOASSERTION", "filesAnalyzed": False,
+             "licenseConcluded": licence, "licenseDeclared": licence, "copyrightText": "NOASSERTION"}
+    if purpose:
+        found["summary"] = purpose
+    return found
+
+
+def dependencies(build):
+    with open(os.path.join(build, "meson-info", "intro-dependencies.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def document(build, version):
+    own = package("libsf", version, "MIT", None, "shapes that print without supports")
+    packages, unknown = [own], []
+    for name, found in sorted({d["name"]: d["version"] for d in dependencies(build)}.items()):
+        if name in LIBRARIES:
+            packages.append(package(name, found if found != "unknown" else "NOASSERTION", *LIBRARIES[name]))
+        elif not name.startswith(PLATFORM):
+            unknown.append(name)
+    if unknown:
+        sys.exit(f"sbom.py: say the licence of {', '.join(unknown)} in libsf/package/sbom.py")
+    digest = hashlib.sha256(json.dumps(packages, sort_keys=True).encode()).hexdigest()[:16]
+    when = datetime.datetime.fromtimestamp(int(os.environ.get("SOURCE_DATE_EPOCH", "0")),
+                                           datetime.timezone.utc)
+    return {
+        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",
+        "name": "libsf-" + version,
+        "documentNamespace": f"https://spdx.org/spdxdocs/libsf-{version}-{digest}",
+        "creationInfo": {"created": when.strftime("%Y-%m-%dT%H:%M:%SZ"), "creators": ["Tool: libsf-sbom"]},
+        "packages": packages,
+        "relationships": [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES",
+                           "relatedSpdxElement": own["SPDXID"]}] +
+                         [{"spdxElementId": own["SPDXID"], "relationshipType": "DEPENDS_ON",
+                           "relatedSpdxElement": p["SPDXID"]} for p in packages[1:]],
+    }
+
+
+if __name__ == "__main__":
+    print(json.dumps(document(sys.argv[1], sys.argv[2]), indent=2))
