@@ -2,7 +2,8 @@
 # Without times or places of its own, so that two builds write the same bytes: `created` is
 # SOURCE_DATE_EPOCH, or the beginning of time.
 #
-# usage: sbom.py BUILD VERSION
+# usage: sbom.py BUILD VERSION [FOLDER]; with FOLDER it is meson's to call, as it installs, and the list goes
+# to libsf.spdx.json in that folder below the prefix
 
 import datetime
 import hashlib
@@ -77,4 +78,11 @@ def document(build, version):
 
 
 if __name__ == "__main__":
-    print(json.dumps(document(sys.argv[1], sys.argv[2]), indent=2))
+    text = json.dumps(document(sys.argv[1], sys.argv[2]), indent=2)
+    if len(sys.argv) == 3:
+        print(text)
+    elif not os.environ.get("MESON_INSTALL_DRY_RUN"):
+        folder = os.path.join(os.environ["MESON_INSTALL_DESTDIR_PREFIX"], sys.argv[3])
+        os.makedirs(folder, exist_ok=True)
+        with open(os.path.join(folder, "libsf.spdx.json"), "w", encoding="utf-8", newline="\n") as file:
+            file.write(text + "\n")
