@@ -24,6 +24,7 @@ HEAD = """// SPDX-License-Identifier: MIT
 #include <sf/layers.h>
 #include <sf/session.h>
 #include <sf/sf.h>
+#include <sf/threemf.h>
 
 #include <stddef.h>
 """

@@ -62,12 +62,12 @@ exit_status output_check(cli_job *job, int mesh_allowed)
     if (kind == OUTPUT_STACK || (kind == OUTPUT_MESH && mesh_allowed)) {
         return output_probe(job, path, kind);
     }
-    return job_fail(job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
-                    mesh_allowed
-                        ? "a mesh (.stl, .obj, .ply, .glb) or, for a name without extension or "
-                          "with a slash at its end, a folder with a stack of pictures"
-                        : "a folder with a stack of pictures; its name has no extension, or "
-                          "a slash at its end");
+    return job_fail(
+        job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
+        mesh_allowed ? "a mesh (.stl, .obj, .ply, .3mf, .glb) or, for a name without extension or "
+                       "with a slash at its end, a folder with a stack of pictures"
+                     : "a folder with a stack of pictures; its name has no extension, or "
+                       "a slash at its end");
 }
 
 // ---------------------------------------------------------------------------------------------

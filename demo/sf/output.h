@@ -11,7 +11,7 @@
 // What the name of an output asks for.
 typedef enum output_kind { OUTPUT_MESH, OUTPUT_STACK, OUTPUT_PICTURE, OUTPUT_UNKNOWN } output_kind;
 
-// Judge by the name: .stl, .obj, .ply; .png; a folder is there, ends with a slash, or has no
+// Judge by the name: .stl, .obj, .ply, .3mf; .png; a folder is there, ends with a slash, or has no
 // extension.
 output_kind output_kind_of(const char *path);
 

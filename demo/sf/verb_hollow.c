@@ -176,7 +176,7 @@ static exit_status check(cli_job *job)
     }
     if (asked->cavity != NULL && output_kind_of(asked->cavity) != OUTPUT_MESH) {
         return job_fail(job, EXIT_USAGE,
-                        "--cavity %s: a mesh's name ends in .stl, .obj, .ply or .glb.",
+                        "--cavity %s: a mesh's name ends in .stl, .obj, .ply, .3mf or .glb.",
                         asked->cavity);
     }
     if (asked->picture != NULL && output_kind_of(asked->picture) != OUTPUT_PICTURE) {

@@ -245,7 +245,8 @@ exit_status verb_orient(cli_job *job)
 {
     part p;
     if (job->options.output != NULL && output_kind_of(job->options.output) != OUTPUT_MESH) {
-        return job_fail(job, EXIT_USAGE, "-o %s: this verb writes a mesh (.stl, .obj, .ply, .glb).",
+        return job_fail(job, EXIT_USAGE,
+                        "-o %s: this verb writes a mesh (.stl, .obj, .ply, .3mf, .glb).",
                         job->options.output);
     }
     exit_status status = output_probe(job, job->options.output, OUTPUT_MESH);

@@ -22,7 +22,7 @@
      OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST | OPTION_LAYERS | OPTION_CERTIFICATE |        \
      OPTION_CUT)
 #define MISSED "1 the asked property was not reached"
-#define CHANGE_OUTPUT "a mesh (.stl .obj .ply .glb), or a folder for layers"
+#define CHANGE_OUTPUT "a mesh (.stl .obj .ply .3mf .glb), or a folder for layers"
 
 const verb_entry verbs_table[] = {
     {{"run", "check a part, make it printable in three ways, write a folder", "FILE", 1,
@@ -129,7 +129,7 @@ const verb_entry verbs_table[] = {
       OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |
           OPTION_ANGLE | OPTION_RULE | HOST_OPTIONS | OPTION_OUTPUT | OPTION_COUNT,
       "  sf orient part.stl\n  sf orient part.stl --angle 50 --count 3 -o turned.stl\n",
-      "the mesh, turned the best way (.stl .obj .ply .glb)", NULL},
+      "the mesh, turned the best way (.stl .obj .ply .3mf .glb)", NULL},
      verb_orient},
     {{"render", "a picture of the part, what cannot print in red", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_VIEW | OPTION_PIXELS,

@@ -11,8 +11,9 @@ typedef struct extension {
 } extension;
 
 static const extension extensions[] = {
-    {".stl", SF_MESH_FORMAT_STL}, {".obj", SF_MESH_FORMAT_OBJ},  {".ply", SF_MESH_FORMAT_PLY},
-    {".off", SF_MESH_FORMAT_OFF}, {".glb", SF_MESH_FORMAT_GLTF}, {".gltf", SF_MESH_FORMAT_GLTF},
+    {".stl", SF_MESH_FORMAT_STL},   {".obj", SF_MESH_FORMAT_OBJ},     {".ply", SF_MESH_FORMAT_PLY},
+    {".off", SF_MESH_FORMAT_OFF},   {".3mf", SF_MESH_FORMAT_THREEMF}, {".glb", SF_MESH_FORMAT_GLTF},
+    {".gltf", SF_MESH_FORMAT_GLTF},
 };
 
 // ASCII only, whatever the locale says.

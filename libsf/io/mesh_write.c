@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes out: binary STL, OBJ, binary little-endian PLY (binary glTF has a file of its own).
+// Meshes out: binary STL, OBJ, binary little-endian PLY (3MF and binary glTF have files of their
+// own).
 //
 // OBJ and PLY keep every bit of every coordinate: OBJ by the fewest digits that read back as the
 // same double, PLY by doubles. STL has floats, because every reader of it expects them, and no
@@ -8,6 +9,7 @@
 // is written.
 
 #include <sf/gltf.h>
+#include <sf/threemf.h>
 
 #include "base/status.h"
 #include "io/emitter.h"
@@ -15,6 +17,15 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+
+// One object, in its place.
+static sf_status write_3mf(sf_mesh_view mesh, sf_sink sink)
+{
+    sf_threemf_object object = {"", SF_THREEMF_MODEL, mesh, NULL, SF_THREEMF_NONE, 0};
+    sf_threemf_item item = {0, {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}}};
+    sf_threemf_view view = {NULL, 0, &object, 1, &item, 1, 0};
+    return sf_threemf_write(&view, NULL, sink, NULL, NULL, NULL);
+}
 
 static const double *corner_of(sf_mesh_view mesh, size_t triangle, int corner)
 {
@@ -120,6 +131,9 @@ sf_status sf_mesh_write(sf_mesh_view mesh, sf_mesh_format format, sf_sink sink)
     if (sink.write == NULL || format == SF_MESH_FORMAT_AUTO ||
         (unsigned)format > SF_MESH_FORMAT_GLTF) {
         return SF_ERR_ARGUMENT;
+    }
+    if (format == SF_MESH_FORMAT_THREEMF) {
+        return write_3mf(mesh, sink);
     }
     if (format == SF_MESH_FORMAT_GLTF) {
         return sf_gltf_write(mesh, NULL, sink);

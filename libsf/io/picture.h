@@ -43,6 +43,10 @@ typedef struct sfi_palette {
 sf_status sfi_png_write_ids(const uint8_t *ids, size_t stride, uint32_t width, uint32_t height,
                             const sfi_palette *palette, sf_sink sink);
 sf_status sfi_png_write(sf_slice slice, sf_sink sink);
+
+// 16 bits of grey a pixel; row 0 of the values is the lowest.
+sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t height,
+                               sf_sink sink);
 sf_status sfi_png_read(sf_source source, const sf_allocator *allocator, const char *name,
                        sf_slice slice, int check_only, sf_fault *fault);
 sf_status sfi_png_read_ids(sf_source source, const sf_allocator *allocator, const char *name,

@@ -105,6 +105,35 @@ sf_status sf_png_write_rgb(const uint8_t *pixels, uint32_t width, uint32_t heigh
     return error == SPNG_EOI ? SF_OK : out_status(&out, error);
 }
 
+sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t height,
+                               sf_sink sink)
+{
+    struct spng_ihdr head;
+    png_sink out = {sink, SF_OK};
+    spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
+    if (context == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    memset(&head, 0, sizeof head);
+    head.width = width;
+    head.height = height;
+    head.bit_depth = 16;
+    head.color_type = SPNG_COLOR_TYPE_GRAYSCALE;
+    int error = spng_set_png_stream(context, hand_on, &out);
+    if (error == 0) {
+        error = spng_set_ihdr(context, &head);
+    }
+    if (error == 0) {
+        error = spng_encode_image(context, NULL, 0, SPNG_FMT_PNG,
+                                  SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+    }
+    for (uint32_t y = height; error == 0 && y-- > 0;) {
+        error = spng_encode_row(context, values + (size_t)y * width, (size_t)2 * width);
+    }
+    spng_ctx_free(context);
+    return error == SPNG_EOI ? SF_OK : out_status(&out, error);
+}
+
 // ---------------------------------------------------------------------------------------------
 // Palettes
 // ---------------------------------------------------------------------------------------------
@@ -191,6 +220,16 @@ int sf_stack_has_png(void)
 sf_status sfi_png_write(sf_slice slice, sf_sink sink)
 {
     (void)slice;
+    (void)sink;
+    return SF_ERR_UNSUPPORTED;
+}
+
+sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t height,
+                               sf_sink sink)
+{
+    (void)values;
+    (void)width;
+    (void)height;
     (void)sink;
     return SF_ERR_UNSUPPORTED;
 }

@@ -115,6 +115,9 @@ static sf_mesh_format sniff(sfi_cursor *cursor)
     if (starts_with(bytes, have, "ply\n") || starts_with(bytes, have, "ply\r")) {
         return SF_MESH_FORMAT_PLY;
     }
+    if (starts_with(bytes, have, "PK\003\004")) {
+        return SF_MESH_FORMAT_THREEMF;
+    }
     if (sfi_off_begins(bytes, have)) {
         return SF_MESH_FORMAT_OFF;
     }
@@ -139,8 +142,6 @@ static sf_mesh_format sniff(sfi_cursor *cursor)
 static const char *foreign(sfi_cursor *cursor)
 {
     static const char *const known[][2] = {
-        {"PK\003\004",
-         "this is a 3MF or another zip archive; save the part as STL, OBJ, PLY or OFF"},
         {"ISO-10303-21", "this is STEP, which has no triangles; export the part as STL or OBJ"},
         {"\211PNG", "this is a picture; a stack of pictures is named by its folder"},
     };
@@ -165,6 +166,8 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
         return sfi_ply_read(reader);
     case SF_MESH_FORMAT_OFF:
         return sfi_off_read(reader);
+    case SF_MESH_FORMAT_THREEMF:
+        return sfi_threemf_read_mesh(reader);
     case SF_MESH_FORMAT_GLTF:
         return sfi_gltf_read(reader);
     case SF_MESH_FORMAT_AUTO:
@@ -172,7 +175,7 @@ static sf_status read_as(sfi_mesh_reader *reader, sf_mesh_format format)
     }
     return sfi_cursor_fault_whole(
         reader->cursor, reader->fault,
-        "this is no STL, OBJ, PLY or OFF file; save the part as one of these");
+        "this is no STL, OBJ, PLY, OFF or 3MF file; save the part as one of these");
 }
 
 static sf_status read_all(sfi_mesh_reader *reader, sf_mesh_format format)

@@ -22,6 +22,7 @@ sf_status sfi_stl_read(sfi_mesh_reader *reader);
 sf_status sfi_obj_read(sfi_mesh_reader *reader);
 sf_status sfi_ply_read(sfi_mesh_reader *reader);
 sf_status sfi_off_read(sfi_mesh_reader *reader);
+sf_status sfi_threemf_read_mesh(sfi_mesh_reader *reader);
 sf_status sfi_gltf_read(sfi_mesh_reader *reader);
 
 // Append a vertex: finite and within the limits, or a fault at the cursor's place.

@@ -117,6 +117,7 @@ static void names_formats_by_extension(void)
     CHECK_EQ(sf_mesh_format_from_name("x.obj"), SF_MESH_FORMAT_OBJ);
     CHECK_EQ(sf_mesh_format_from_name(".PLY"), SF_MESH_FORMAT_PLY);
     CHECK_EQ(sf_mesh_format_from_name("x.off"), SF_MESH_FORMAT_OFF);
+    CHECK_EQ(sf_mesh_format_from_name("x.3MF"), SF_MESH_FORMAT_THREEMF);
     CHECK_EQ(sf_mesh_format_from_name("stl"), SF_MESH_FORMAT_AUTO);
     CHECK_EQ(sf_mesh_format_from_name("x.stl.gz"), SF_MESH_FORMAT_AUTO);
     CHECK_EQ(sf_mesh_format_from_name(""), SF_MESH_FORMAT_AUTO);

@@ -20,7 +20,7 @@ from typing import Any, Iterable, Iterator, Optional, Tuple
 from . import _core
 from ._core import Progress
 
-ENDINGS = (".stl", ".obj", ".ply", ".off")
+ENDINGS = (".stl", ".obj", ".ply", ".off", ".3mf")
 Work = Tuple[str, str, int, Optional[str]]  # what one() takes
 
 

@@ -112,7 +112,7 @@ class Mesh:
     def load(cls, of: _files.Readable, *, format: MeshFormat | str | None = None,
              bytes_max: int | None = None, triangles_max: int | None = None,
              vertices_max: int | None = None) -> Mesh:
-        """Read STL, OBJ, PLY, OFF or, in a build with it, glTF: a path, bytes, or a file that is open."""
+        """Read STL, OBJ, PLY, OFF or, in a build with them, 3MF and glTF: a path, bytes, or a file that is open."""
         limits = _core.options("sf_read_limits", bytes_max=bytes_max, triangles_max=triangles_max,
                                vertices_max=vertices_max)
         fault, made = _core.new_fault(), ffi.new("sf_mesh **")
@@ -124,13 +124,13 @@ class Mesh:
     @documented("sf_mesh_write")
     def save(self, to: _files.Writable, format: MeshFormat | str | None = None, *,
              colors: npt.ArrayLike | None = None) -> None:
-        """Write STL, OBJ, PLY or GLB: by the ending of a path, or in a format that is named.
+        """Write STL, OBJ, PLY, 3MF or GLB: by the ending of a path, or in a format that is named.
 
         colors, for GLB only: red, green and blue of each vertex, 0 to 255, as a screen shows them.
         """
         kind = _format_of(to, format)
         if kind in (MeshFormat.AUTO, MeshFormat.OFF):
-            raise ValueError(f"{to}: give a name that ends in .stl, .obj, .ply or .glb, or a format")
+            raise ValueError(f"{to}: give a name that ends in .stl, .obj, .ply, .3mf or .glb, or a format")
         if colors is not None:
             self._save_colored(to, kind, np.asarray(colors))
             return
@@ -185,7 +185,9 @@ class Mesh:
 def _format_of(file: Any, format: MeshFormat | str | None) -> MeshFormat:
     """The format that is named, or that a path's ending names."""
     if format is not None:
-        return MeshFormat[format.upper()] if isinstance(format, str) else format
+        if isinstance(format, str):
+            return MeshFormat["THREEMF" if format.upper() == "3MF" else format.upper()]
+        return format
     return MeshFormat(lib.sf_mesh_format_from_name(os.fsencode(file) if _files.is_path(file) else b""))
 
 

@@ -12,7 +12,8 @@
 // A NULL session is one for which there was no memory.
 int app_save_session(const sf_session *session, const char *path, char why[APP_WHY_SIZE]);
 
-// What is printable: a mesh where the name ends in .stl, .obj or .ply, else a folder with layers.
+// What is printable: a mesh where the name ends in .stl, .obj, .ply or .3mf, else a folder with
+// layers.
 int app_save_shape(const sf_sculpt *model, const char *path, char why[APP_WHY_SIZE]);
 
 // What is worked at: the session of the strokes, or what the desk saves.

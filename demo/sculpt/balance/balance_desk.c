@@ -309,7 +309,8 @@ static int save_file(const desk *d, const char *path, char why[DESK_WHY_SIZE])
     sf_mesh_view cavity = balance_cavity(b);
     char inner[DESK_WHY_SIZE];
     if (sf_mesh_format_from_name(path) == SF_MESH_FORMAT_AUTO) {
-        snprintf(why, DESK_WHY_SIZE, "%.180s: give a name that ends in .stl, .obj or .ply.", path);
+        snprintf(why, DESK_WHY_SIZE, "%.180s: give a name that ends in .stl, .obj, .ply or .3mf.",
+                 path);
         return 0;
     }
     if (!name_inner(path, inner)) {

@@ -166,8 +166,8 @@ void show_works(const outlet &out, const editor *e)
 void show_files(panel *p, panel_request *request)
 {
     ImGui::PushItemWidth(-1);
-    ImGui::InputTextWithHint("##path", "path: .session .stl .obj .ply .png, or a folder", p->path,
-                             sizeof p->path);
+    ImGui::InputTextWithHint("##path", "path: .session .stl .obj .ply .3mf .png, or a folder",
+                             p->path, sizeof p->path);
     ImGui::PopItemWidth();
     const struct {
         const char *name, *says;

@@ -30,6 +30,8 @@ typedef enum sf_mesh_format {
     SF_MESH_FORMAT_OBJ = 2,  /**< in and out */
     SF_MESH_FORMAT_PLY = 3,  /**< text and both binary orders in, binary little-endian out */
     SF_MESH_FORMAT_OFF = 4,  /**< text, in only */
+    SF_MESH_FORMAT_THREEMF =
+        5, /**< .3mf in and out, where sf_threemf_is_served(): <sf/threemf.h> */
     SF_MESH_FORMAT_GLTF =
         6 /**< .glb and .gltf in, where sf_gltf_is_served(); .glb out: <sf/gltf.h> */
 } sf_mesh_format;
@@ -57,20 +59,22 @@ SF_API sf_read_limits sf_read_limits_default(void);
  *
  * @param name  a file name or a path, upper or lower case; NULL is allowed
  * @return the format; SF_MESH_FORMAT_AUTO when the name ends in none of .stl .obj .ply .off
- * .glb .gltf.
+ * .3mf .glb .gltf.
  * @cost the length of the name.   @threads any.
  * @since 0.1
  */
 SF_API sf_mesh_format sf_mesh_format_from_name(const char *name);
 
 /**
- * Read a mesh from any source of bytes: STL, OBJ, PLY, OFF or glTF.
+ * Read a mesh from any source of bytes: STL, OBJ, PLY, OFF, 3MF or glTF.
  *
  * Coordinates are taken as they are, as mm. Polygons become fans about their first corner. What is
  * no triangle and no vertex (normals, colours, materials, lines, unknown elements) is passed over.
  * STL has no shared vertices, so every facet brings three of its own; sf_mesh_merge() joins them.
+ * Of 3MF, which has units and a build, the whole build becomes one mesh in mm, as
+ * sf_threemf_read() and sf_threemf_merge() do it.
  *
- * glTF alone says its unit and which way is up: it is turned to mm with z up, as sf_gltf_read()
+ * glTF says which way is up: it is turned to mm with z up, as sf_gltf_read()
  * says, which also reads buffers in other files. Its text form is not told from others by its
  * bytes.
  *
@@ -87,8 +91,8 @@ SF_API sf_mesh_format sf_mesh_format_from_name(const char *name);
  * @param mesh       where the new mesh is left, to be destroyed by the caller; untouched on failure
  * @param fault      NULL, or filled on failure: what is wrong, at which line (of text files) and
  * byte, and what to do
- * @return SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_UNSUPPORTED: glTF that
- * sf_gltf_read() does not serve; SF_ERR_OVERFLOW: more than `limits`;
+ * @return SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_UNSUPPORTED: glTF or 3MF
+ * that sf_gltf_read() or sf_threemf_read() do not serve; SF_ERR_OVERFLOW: more than `limits`;
  * SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source returned.
  * @cost one pass over the file; while it grows, memory for two and a half times the mesh.
  * @threads any, on distinct sources; one at a time for each allocator.
@@ -102,21 +106,22 @@ SF_API SF_CHECKED sf_status sf_mesh_read(sf_source source, sf_mesh_format format
                                          sf_fault *fault);
 
 /**
- * Write a mesh as binary STL, OBJ, binary little-endian PLY or binary glTF.
+ * Write a mesh as binary STL, OBJ, binary little-endian PLY, 3MF or binary glTF.
  *
  * OBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that read
  * back as the same double, PLY as doubles. STL has floats and unit normals; vertices that are equal
- * stay equal. glTF is what sf_gltf_write() writes, without colours. Everything is checked before
- * the first byte is written.
+ * stay equal. glTF is what sf_gltf_write() writes, without colours; 3MF has one object, as
+ * sf_threemf_write() writes it. Everything is checked before the first byte is written.
  *
  * @param mesh    the mesh; what sf_mesh_validate() takes
- * @param format  SF_MESH_FORMAT_STL, _OBJ, _PLY or _GLTF
+ * @param format  SF_MESH_FORMAT_STL, _OBJ, _PLY, _THREEMF or _GLTF
  * @param sink    where the bytes go; on failure it may have had some
  * @return SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
- * SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF; SF_ERR_OVERFLOW: for STL and glTF, a coordinate beyond
- * the range of floats, more than UINT32_MAX triangles, a file of 4 GiB; or what the sink returned.
- * @cost one pass to check, one to write; 8 KiB of stack, no memory.   @threads any, on distinct
- * sinks.
+ * SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF, or 3MF in a build without; SF_ERR_OVERFLOW: for STL and
+ * glTF, a coordinate beyond the range of floats, more than UINT32_MAX triangles, and for glTF and
+ * 3MF a file of 4 GiB; SF_ERR_MEMORY: for 3MF; or what the sink returned.
+ * @cost one pass to check, one to write; 8 KiB of stack, and 300 KiB of memory for 3MF alone.
+ * @threads any, on distinct sinks.
  * @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_mesh_write(sf_mesh_view mesh, sf_mesh_format format, sf_sink sink);

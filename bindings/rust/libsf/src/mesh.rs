@@ -196,20 +196,20 @@ impl Mesh {
         writing(&mut to, |sink| unsafe { sys::sf_gltf_write(self.view(), first, sink) })
     }
 
-    /// Reads a file: STL, OBJ, PLY or OFF, by its name, or else by its content; glTF where the library was
+    /// Reads a file: STL, OBJ, PLY, OFF or 3MF, by its name, or else by its content; glTF where the library was
     /// made with what reads that.
     pub fn load(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
         Mesh::read(open(path)?, MeshFormat::from_path(path)?)
     }
 
-    /// Writes a file: STL, OBJ, PLY or binary glTF, by its name; whole or not at all.
+    /// Writes a file: STL, OBJ, PLY, 3MF or binary glTF, by its name; whole or not at all.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let path = path.as_ref();
         let format = MeshFormat::from_path(path)?;
         let text = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gltf"));
         if text || matches!(format, MeshFormat::Auto | MeshFormat::Off) {
-            let said = format!("{}: a name that ends in .stl, .obj, .ply or .glb is needed", path.display());
+            let said = format!("{}: a name that ends in .stl, .obj, .ply, .3mf or .glb is needed", path.display());
             return Err(Error::new(ErrorKind::Argument, said));
         }
         saving(path, |sink| unsafe { sys::sf_mesh_write(self.view(), format.c(), sink) })
