@@ -18,6 +18,7 @@
 #ifndef SF_THREEMF_H
 #define SF_THREEMF_H
 
+#include <sf/contour.h>
 #include <sf/io.h>
 
 #ifdef __cplusplus
@@ -145,6 +146,39 @@ SF_API SF_CHECKED sf_status sf_threemf_merge(const sf_threemf *document,
                                              const sf_read_limits *limits,
                                              const sf_allocator *allocator, sf_mesh **mesh,
                                              sf_fault *fault);
+
+/**
+ * Whether all that a document builds has slices: its parts and solid supports.
+ *
+ * @param document  the document; NULL has none
+ * @return 1 when each of them has a stack of slices, else 0.
+ * @cost the number of items.   @threads any.
+ * @since 0.1
+ */
+SF_API int sf_threemf_is_sliced(const sf_threemf *document);
+
+/**
+ * The slices of all that a document builds, in their places: parts and solid supports.
+ *
+ * What is inside is what the contours wind around, SF_CONTOUR_NONZERO: the specification's fill,
+ * where holes turn the other way than what they are holes in. Contours of several items stand
+ * beside one another in each layer, so their layers must have the same heights.
+ *
+ * @param document   the document
+ * @param allocator  for the stack; NULL for the C library's
+ * @param stack      receives the stack, to be destroyed by the caller; untouched on failure
+ * @param fault      NULL, or filled on failure
+ * @return SF_OK; SF_ERR_FORMAT: something that is built has no slices, a slice that is not above
+ * the one before, or a transform that tilts layers; SF_ERR_UNSUPPORTED: items whose layers have
+ * other heights, or a build without 3MF; SF_ERR_ARGUMENT: a NULL pointer, heights or points beyond
+ * 1e12 mm; SF_ERR_OVERFLOW: more than SF_LAYER_MAX layers; SF_ERR_MEMORY.
+ * @cost the points.   @threads any that read; one at a time for each allocator.
+ * @source 3MF Consortium, "3MF Slice Extension" 1.0.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_threemf_contours(const sf_threemf *document,
+                                                const sf_allocator *allocator,
+                                                sf_contour_stack **stack, sf_fault *fault);
 
 /**
  * Free a document.
