@@ -25,8 +25,7 @@ static void choose_pitch(const cli_options *asked, const double size_mm[3], doub
     }
 }
 
-// Refuse a lattice whose grid would take more memory than --memory allows.
-static exit_status check_memory(cli_job *job, const sf_lattice *lattice, double below)
+exit_status lattice_check_memory(cli_job *job, const sf_lattice *lattice, double below)
 {
     double mib = 8.0 * (double)sf_slice_stride(lattice->nx) * lattice->ny * lattice->nz / 1048576;
     if (mib <= job->options.memory_mib) {
@@ -98,5 +97,5 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
                            sf_lattice *lattice, uint32_t *lift)
 {
     exit_status status = lattice_fit(job, low_mm, high_mm, lattice, lift);
-    return status == EXIT_GOOD ? check_memory(job, lattice, *lift) : status;
+    return status == EXIT_GOOD ? lattice_check_memory(job, lattice, *lift) : status;
 }

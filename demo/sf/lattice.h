@@ -16,4 +16,8 @@ exit_status lattice_fit(cli_job *job, const double low_mm[3], const double high_
 exit_status lattice_choose(cli_job *job, const double low_mm[3], const double high_mm[3],
                            sf_lattice *lattice, uint32_t *lift);
 
+// Refuse a lattice whose grid would take more memory than --memory allows. `below` layers of it lie
+// between the bed and the part.
+exit_status lattice_check_memory(cli_job *job, const sf_lattice *lattice, double below);
+
 #endif

@@ -9,6 +9,7 @@
 #include "lattice.h"
 #include "progress.h"
 #include "scene.h"
+#include "sliced.h"
 #include "upright.h"
 
 #include <math.h>
@@ -125,6 +126,28 @@ static exit_status read_mesh(cli_job *job, part *p)
     return status == EXIT_GOOD ? place(job, p) : status;
 }
 
+// What is built may have slices, which are taken then, or is one mesh.
+static exit_status read_3mf(cli_job *job, part *p)
+{
+    sf_threemf *document = NULL;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    exit_status status = sliced_open(job, job->options.input, &document);
+    if (status == EXIT_GOOD && sf_threemf_is_sliced(document)) {
+        p->kind = PART_STACK;
+        status = refuse_options(job, MESH_ONLY, "A file of slices");
+        if (status == EXIT_GOOD) {
+            status = sliced_draw(job, document, p);
+        }
+    } else if (status == EXIT_GOOD) {
+        p->kind = PART_MESH;
+        sf_status made = sf_threemf_merge(document, NULL, NULL, &p->mesh, &fault);
+        status = made == SF_OK ? place(job, p)
+                               : job_fail_call(job, made, &fault, job->options.input, EXIT_INPUT);
+    }
+    sf_threemf_destroy(document);
+    return status;
+}
+
 // A stack carries the rule, its angle, the bridges and the bed that it was made for, and an option
 // takes the place of one: --angle turns the stack's rule to another angle, --rule asks for another
 // rule at the same angle. Bridges say what a printer can do at any angle, so they stay under
@@ -227,7 +250,8 @@ static exit_status read_any(cli_job *job, part *p)
     if (stat(input, &entry) == 0 && S_ISDIR(entry.st_mode)) {
         return read_stack(job, p);
     }
-    return read_mesh(job, p);
+    return sf_mesh_format_from_name(input) == SF_MESH_FORMAT_THREEMF ? read_3mf(job, p)
+                                                                     : read_mesh(job, p);
 }
 
 exit_status part_read(cli_job *job, part *p)
