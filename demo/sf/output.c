@@ -4,6 +4,7 @@
 #include "output.h"
 
 #include "judgement.h"
+#include "package.h"
 #include "progress.h"
 
 #include <string.h>
@@ -144,13 +145,38 @@ exit_status output_write_mesh(cli_job *job, const sf_mesh *mesh, const char *pat
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, &fault, path, EXIT_RESOURCE);
 }
 
+// The same as 3MF, with a picture of the grid.
+static exit_status save_package(cli_job *job, const sf_mesh *mesh, const sf_grid *grid,
+                                const char *path)
+{
+    sf_save *save = NULL;
+    canvas picture;
+    sf_fault fault = {SF_OK, 0, 0, ""};
+    package_body body = {"part", mesh};
+    exit_status status = package_picture(job, grid, &picture);
+    if (status == EXIT_GOOD) {
+        progress_phase("writing the mesh");
+        sf_status begun = sf_save_begin(path, NULL, &save, &fault);
+        status = begun == SF_OK ? package_write(job, &body, 1, &picture, path, save)
+                                : job_fail_call(job, begun, &fault, path, EXIT_RESOURCE);
+    }
+    canvas_destroy(&picture);
+    if (status != EXIT_GOOD) {
+        sf_save_abort(save);
+        return status;
+    }
+    sf_status done = sf_save_commit(save, &fault);
+    return done == SF_OK ? EXIT_GOOD : job_fail_call(job, done, &fault, path, EXIT_RESOURCE);
+}
+
 exit_status output_save_mesh(cli_job *job, const part *p, const sf_grid *grid, const char *path,
                              const char *key)
 {
     sf_mesh *mesh = NULL;
     exit_status status = output_make_mesh(job, p, grid, key, &mesh);
     if (status == EXIT_GOOD) {
-        status = output_write_mesh(job, mesh, path);
+        status = package_is_asked(path) ? save_package(job, mesh, grid, path)
+                                        : output_write_mesh(job, mesh, path);
     }
     sf_mesh_destroy(mesh);
     return status;

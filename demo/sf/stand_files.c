@@ -9,6 +9,7 @@
 #include "halves.h"
 #include "hollow_mesh.h"
 #include "output.h"
+#include "package.h"
 #include "progress.h"
 #include "stand_drill.h"
 #include "stand_layers.h"
@@ -17,11 +18,12 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { OUTER, INNER, CUT, LOW, HIGH, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
+enum { OUTER, INNER, CUT, LOW, HIGH, PACKAGE, PICTURE, REPORT, FILE_COUNT, PATH_SIZE = 4096 };
 
 static const char *const endings[] = {"_outer.stl", "_inner.stl", "_cut.stl", "_low.stl",
-                                      "_high.stl",  ".png",       ".json"};
-static const char *const keys[] = {"outer", "inner", "cut", NULL, NULL, "picture", "report"};
+                                      "_high.stl",  ".3mf",       ".png",     ".json"};
+static const char *const keys[] = {"outer", "inner",   "cut",     NULL,
+                                   NULL,    "package", "picture", "report"};
 
 typedef struct file_set {
     char path[FILE_COUNT][PATH_SIZE];
@@ -30,11 +32,20 @@ typedef struct file_set {
     stand_layers layers;
 } file_set;
 
+// "part" of "part.3mf", which asks for one file that has it all; else all of it.
+static int prefix_length(const char *output)
+{
+    size_t length = strlen(output) - (package_is_asked(output) ? strlen(endings[PACKAGE]) : 0);
+    return length < PATH_SIZE ? (int)length : PATH_SIZE;
+}
+
 static exit_status name_files(cli_job *job, file_set *files)
 {
     memset(files, 0, sizeof *files);
+    int prefix = prefix_length(job->options.output);
     for (int i = 0; i < FILE_COUNT; i++) {
-        int length = snprintf(files->path[i], PATH_SIZE, "%s%s", job->options.output, endings[i]);
+        int length =
+            snprintf(files->path[i], PATH_SIZE, "%.*s%s", prefix, job->options.output, endings[i]);
         if (length < 0 || length >= PATH_SIZE) {
             return job_fail(job, EXIT_USAGE, "-o: The path is too long.");
         }
@@ -139,12 +150,48 @@ static exit_status write_halves(cli_job *job, file_set *files, const model *m)
     return status;
 }
 
+// All in one file: the model with its cavity, or both halves of it, where they belong.
+static exit_status write_package(cli_job *job, file_set *files, const model *m)
+{
+    sf_mesh *whole = NULL;
+    canvas picture = {NULL, 0, 0};
+    sf_transform back = part_to_input(job);
+    int is_cut = (job->options.given & OPTION_CUT) != 0;
+    sf_status made = make_whole(job, m, &whole);
+    if (made == SF_OK) {
+        made = sf_mesh_transform(whole, &back);
+    }
+    exit_status status = made == SF_OK ? EXIT_GOOD : end(job, files, PACKAGE, made);
+    if (status == EXIT_GOOD && is_cut) {
+        status = halves_make(job, whole, SF_MESH_FORMAT_THREEMF, &files->halves);
+    }
+    if (status == EXIT_GOOD && sf_stack_has_png()) {
+        status = balance_picture_draw(job, m, &picture);
+    }
+    if (status == EXIT_GOOD) {
+        status = begin(job, files, PACKAGE);
+    }
+    if (status == EXIT_GOOD) {
+        int halved = is_cut && !files->halves.missed;
+        const package_body bodies[2] = {
+            {halved ? "low half" : "part", halved ? files->halves.mesh[0] : whole},
+            {"high half", files->halves.mesh[1]}};
+        status = package_write(job, bodies, halved ? 2 : 1, &picture, files->path[PACKAGE],
+                               files->save[PACKAGE]);
+    }
+    canvas_destroy(&picture);
+    sf_mesh_destroy(whole);
+    return status;
+}
+
 static void report_halves(cli_job *job, const file_set *files)
 {
     if ((job->options.given & OPTION_CUT) == 0) {
         return;
     }
-    halves_report(job, &files->halves, files->path[LOW], files->path[HIGH]);
+    int is_package = files->save[PACKAGE] != NULL;
+    halves_report(job, &files->halves, files->path[is_package ? PACKAGE : LOW],
+                  files->path[is_package ? PACKAGE : HIGH]);
     if (files->save[CUT] != NULL && !files->halves.missed) {
         report_say(job->report,
                    "The halves have the holes, so their outside is that of voxels; for "
@@ -203,9 +250,27 @@ static void report_layers(cli_job *job, const stand_layers *layers)
 static exit_status advise(cli_job *job, const file_set *files, const model *m)
 {
     int inner = files->save[CUT] != NULL ? CUT : INNER;
+    if (files->save[PACKAGE] != NULL && files->layers.folder == NULL) {
+        report_say(job->report, "Its cavity is of voxels, and on others it prints otherwise: to "
+                                "check it on its own, write --layers, or a PREFIX.");
+        return EXIT_GOOD;
+    }
     return stand_prints_advise(job, m, files->path[OUTER],
                                files->save[inner] != NULL ? files->path[inner] : NULL,
                                files->layers.folder != NULL ? job->options.layers : NULL);
+}
+
+static void say_files(cli_job *job, const file_set *files)
+{
+    if (files->save[PACKAGE] != NULL) {
+        report_say(job->report, "Written to %s%s and %s.", files->path[PACKAGE],
+                   files->save[PICTURE] != NULL ? ", .png" : "", files->path[REPORT]);
+        return;
+    }
+    report_say(job->report, "Written to %s_outer.stl%s%s%s and %s.json.", job->options.output,
+               files->save[INNER] != NULL ? ", _inner.stl" : "",
+               files->save[CUT] != NULL ? ", _cut.stl (cavity and holes, to be taken from it)" : "",
+               files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
 }
 
 static exit_status write_report(cli_job *job, file_set *files, const model *m)
@@ -220,10 +285,7 @@ static exit_status write_report(cli_job *job, file_set *files, const model *m)
             report_null(r, keys[i]);
         }
     }
-    report_say(r, "Written to %s_outer.stl%s%s%s and %s.json.", job->options.output,
-               files->save[INNER] != NULL ? ", _inner.stl" : "",
-               files->save[CUT] != NULL ? ", _cut.stl (cavity and holes, to be taken from it)" : "",
-               files->save[PICTURE] != NULL ? ", .png" : "", job->options.output);
+    say_files(job, files);
     report_halves(job, files);
     report_layers(job, &files->layers);
     if (status == EXIT_GOOD) {
@@ -262,7 +324,7 @@ static exit_status publish(cli_job *job, file_set *files)
     return status;
 }
 
-static exit_status write_all(cli_job *job, file_set *files, const model *m)
+static exit_status write_surfaces(cli_job *job, file_set *files, const model *m)
 {
     sf_mesh_view inside = sf_stand_cavity(m->stand);
     exit_status status = write_surface(job, files, OUTER, sf_stand_outer(m->stand));
@@ -272,9 +334,13 @@ static exit_status write_all(cli_job *job, file_set *files, const model *m)
     if (status == EXIT_GOOD) {
         status = write_cut(job, files, m);
     }
-    if (status == EXIT_GOOD) {
-        status = write_halves(job, files, m);
-    }
+    return status == EXIT_GOOD ? write_halves(job, files, m) : status;
+}
+
+static exit_status write_all(cli_job *job, file_set *files, const model *m)
+{
+    exit_status status = package_is_asked(job->options.output) ? write_package(job, files, m)
+                                                               : write_surfaces(job, files, m);
     if (status == EXIT_GOOD) {
         status = write_picture(job, files, m);
     }

@@ -90,7 +90,8 @@ const verb_entry verbs_table[] = {
       "  sf stand part.stl --suspend 28,25,36\n"
       "  sf stand part.stl --stance stances.json --handles handles.json -o standing\n"
       "  sf stand part.stl --up -y --rest\n",
-      "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png", MISSED},
+      "PREFIX of what is written: _outer.stl, _inner.stl, .json and .png; or a .3mf file for both",
+      MISSED},
      verb_stand},
     {{"grade", "a solid of mixed materials from a cage, as layers", "SOLID", 0,
       OPTION_OUTPUT | OPTION_PITCH | OPTION_RESOLUTION | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |

@@ -1,0 +1,75 @@
+# Why: 3MF is what slicers take and give, so every verb that takes a mesh takes it and every one that
+# writes a mesh writes it, with the same shape as in another format; a file with slices is judged by
+# them; a file that is damaged is refused, and nothing half-written is left.
+. "$1"
+needs_json
+box box.obj 0 0 0 12 8 20
+run trim box.obj --pitch 0.5 -o box.3mf
+if grep -q 'writes no 3MF' stderr; then
+    echo "1..0 # SKIP this build writes no 3MF"
+    exit 0
+fi
+ok "$exit" "trim writes 3MF"
+exits 0 info box.3mf --json
+same "$(value volume_mm3)" 1920 "and what it wrote is as large as the part"
+exits 0 check box.3mf --pitch 0.5
+cp box.3mf first.3mf
+exits 0 trim box.obj --pitch 0.5 -o box.3mf
+cmp -s box.3mf first.3mf
+ok $? "the same part is the same bytes"
+for verb in grow repair; do
+    exits 0 $verb box.3mf --pitch 0.5 -o $verb.3mf --json
+    exits 0 info $verb.3mf --json
+    same "$(value volume_mm3)" 1920 "$verb reads 3MF and writes it"
+done
+exits 0 orient box.3mf -o turned.3mf --count 1
+exits 0 hollow box.3mf --wall 2 --pitch 0.5 -o hollow.3mf --json
+hollow=$(value volume_mm3)
+exits 0 info hollow.3mf --json
+awk "BEGIN { exit !(($(value volume_mm3) - $hollow) ^ 2 < 1e-6 * $hollow ^ 2) }"
+ok $? "a cavity is in the file ($hollow mm3)"
+exits 0 slice box.3mf --pitch 0.5 -o layers
+exits 0 preserve box.3mf --remove box.3mf --pitch 0.5 -o kept.3mf --keep box.3mf
+
+# A column that leans, made to stand: one file with its cavity, a picture and a report.
+awk 'BEGIN {
+    for (i = 0; i < 8; i++)
+        print "v", (i % 2) * 12 + (i > 3) * 16, int(i / 2) % 2 * 12, (i > 3) * 40
+    print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" }' >column.obj
+run stand column.obj --gamma 1 --resolution 32 -o stands.3mf --json
+[ "$exit" -le 1 ] && [ "$(value package)" = stands.3mf ] && [ "$(value outer)" = null ]
+ok $? "stand writes a package and says so"
+[ -s stands.3mf ] && [ -s stands.json ] && [ ! -e stands_outer.stl ] && [ ! -e stands.3mf.json ]
+ok $? "with the report beside it"
+exits 0 info stands.3mf
+run stand column.obj --gamma 1 --resolution 32 --cut x -o halves.3mf
+[ "$exit" -le 1 ] && [ -s halves.3mf ] && [ ! -e halves_low.stl ]
+ok $? "halves are in the package"
+
+# What is damaged is refused with a sentence, and what stood there stays.
+head -c 3000 box.3mf >cut.3mf
+exits 3 check cut.3mf
+grep -q '3MF' stderr
+ok $? "and says why"
+printf 'PK\003\004 and nothing more' >nothing.3mf
+exits 3 info nothing.3mf --json
+exits 3 trim nothing.3mf -o box.3mf
+cmp -s box.3mf first.3mf
+ok $? "a failed run leaves the old file"
+
+# A file of slices, from the data.
+torus=${SF_DATA:-}/3mf/torus_sliced.3mf
+if [ -f "$torus" ]; then
+    exits 1 check "$torus" --pitch 0.05 --json
+    same "$(value slices) $(value lattice.nz) $(value lattice.layer_mm)" "50 50 0.08" "slices are the layers"
+    awk "BEGIN { exit !(($(value solid_voxels) * 0.0002 - 797.9223) ^ 2 < 0.01) }"
+    ok $? "of 797.92 mm3 ($(value solid_voxels) voxels of 0.0002)"
+    exits 0 info "$torus"
+    exits 2 check "$torus" --scale 2
+    exits 0 repair "$torus" --pitch 0.2 -o torus.3mf
+    exits 1 check "$(dirname "$torus")/pyramid_vertexcolor.3mf" --resolution 32
+    exits 3 check "$(dirname "$torus")/variable_voronoi.3mf"
+    grep -q 'beam lattices' stderr
+    ok $? "beam lattices are named"
+fi
+finish
