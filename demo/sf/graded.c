@@ -6,9 +6,11 @@
 
 #include "graded.h"
 
-#include "grade_picture.h"
+#include "graded_package.h"
 #include "lattice.h"
 #include "output.h"
+#include "package.h"
+#include "press.h"
 #include "progress.h"
 
 #include <sf/io.h>
@@ -18,27 +20,6 @@
 #include <string.h>
 
 static const double MISS = 1e-9; // of the property's own size: what is rounding
-
-// Everything that one layer after the other goes through.
-typedef struct press {
-    cli_job *job;
-    materials *m;
-    graded *made;
-    sf_limit *limit;
-    sf_sampler *sampler;
-    shells keep;     // what is kept away from the surface
-    sf_shell *shell; // where that is; NULL: nothing is
-    sf_mask *mask;   // NULL: the built-in one
-    sf_halftone *halftone;
-    sf_diffuser *diffuser;
-    sf_directory *directory;
-    sf_layers *layers;
-    sf_grid *grid; // of a layer: what is solid, and what is near the surface
-    double *values[MATERIALS_PROPERTIES_MAX];
-    double *tones[MATERIALS_MAX];
-    uint8_t *ids;
-    grade_picture picture; // of zeros where none is asked for
-} press;
 
 static void free_press(press *p)
 {
@@ -109,7 +90,7 @@ static exit_status fail_shape(cli_job *job, const solid_input *in)
 }
 
 // Refuse layers that take more memory than --memory allows. Of the stack one layer is held: what
-// set_up_planes() takes, and a shell's slices.
+// press_planes() takes, and a shell's slices.
 static exit_status check_memory(const press *p)
 {
     const sf_lattice *l = &p->made->lattice;
@@ -131,7 +112,7 @@ static exit_status check_memory(const press *p)
                           asked->memory_mib, mib);
 }
 
-static exit_status set_up_shape(press *p, const solid_input *in, const size_t *channels)
+exit_status press_shape(press *p, const solid_input *in, const size_t *channels)
 {
     double low[3], high[3];
     uint32_t lift;
@@ -213,7 +194,7 @@ static exit_status fail_mask(press *p, sf_status status)
                     l->pitch_x_mm, l->pitch_y_mm, l->layer_mm);
 }
 
-static int set_up_planes(press *p)
+int press_planes(press *p)
 {
     const sf_lattice *l = &p->made->lattice;
     size_t plane = (size_t)l->nx * l->ny;
@@ -242,7 +223,7 @@ static int is_solid(sf_slice s, uint32_t x, uint32_t y)
 }
 
 // From properties to tones, voxel by voxel.
-static void mix(press *p, sf_slice solid)
+void press_mix(press *p, sf_slice solid)
 {
     materials *m = p->m;
     for (uint32_t y = 0; y < solid.height; y++) {
@@ -329,7 +310,7 @@ static exit_status press_layers(press *p)
                      ? SF_ERR_CANCELLED
                      : sf_sampler_slice(p->sampler, k, solid, p->values);
         if (status == SF_OK) {
-            mix(p, solid);
+            press_mix(p, solid);
             status = halftone(p, k, solid);
         }
         if (status == SF_OK && p->picture.front != NULL) {
@@ -345,7 +326,7 @@ static exit_status press_layers(press *p)
     return status == SF_OK ? EXIT_GOOD : fail_call(job, status, &fault);
 }
 
-static exit_status look_for_solid(press *p)
+exit_status press_look_for_solid(press *p)
 {
     sf_status status = sf_sampler_report(p->sampler, &p->made->voxels);
     if (status != SF_OK) {
@@ -384,7 +365,7 @@ static exit_status draw(press *p, const sf_property *property)
 static exit_status run(press *p, const solid_input *in, const size_t *channels, const char *path)
 {
     sf_fault fault = {SF_OK, 0, 0, ""};
-    exit_status status = set_up_shape(p, in, channels);
+    exit_status status = press_shape(p, in, channels);
     if (status != EXIT_GOOD) {
         return status;
     }
@@ -401,7 +382,7 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
     if (made != SF_OK) {
         return fail_mask(p, made);
     }
-    if (!set_up_planes(p)) {
+    if (!press_planes(p)) {
         return job_fail(p->job, EXIT_RESOURCE, "There is no memory for a layer.");
     }
     made = sf_directory_write(path, NULL, &p->directory, &fault);
@@ -414,7 +395,7 @@ static exit_status run(press *p, const solid_input *in, const size_t *channels, 
     }
     status = press_layers(p);
     if (status == EXIT_GOOD) {
-        status = look_for_solid(p);
+        status = press_look_for_solid(p);
     }
     if (status == EXIT_GOOD && p->picture.front != NULL) {
         const sf_channel *all;
@@ -434,7 +415,8 @@ exit_status graded_write(cli_job *job, const solid_input *in, const size_t *chan
     p.m = m;
     p.keep = *shell;
     p.made = made;
-    exit_status status = run(&p, in, channels, path);
+    exit_status status = package_is_asked(path) ? graded_package(&p, in, channels, path)
+                                                : run(&p, in, channels, path);
     free_press(&p);
     return status;
 }

@@ -4,6 +4,7 @@
 #include "describe.h"
 #include "graded.h"
 #include "output.h"
+#include "package.h"
 #include "solids.h"
 #include "verbs.h"
 
@@ -176,6 +177,48 @@ static void say(cli_job *job, const materials *m, const graded *g)
     report_say(r, "Written to %s.", job->options.output);
 }
 
+// A file of the mixture itself, which nobody has made dots of.
+static void report_package(cli_job *job, const solid_input *in, const materials *m, const graded *g)
+{
+    report *r = job->report;
+    const sf_lattice *l = &g->lattice;
+    double solid = (double)(g->voxels.solid > 0 ? g->voxels.solid : 1);
+    double voxel_mm3 = l->pitch_x_mm * l->pitch_y_mm * l->layer_mm;
+    report_text(r, "verb", "grade");
+    report_text(r, "input", job->options.input);
+    solids_report(job, in);
+    describe_lattice(r, l);
+    report_number(r, "surface_error_mm", g->surface_error_mm);
+    report_count(r, "solid_voxels", g->voxels.solid);
+    report_say(r, "%s: a surface, and %u layers of %u x %u voxels, %.4g x %.4g x %.4g mm each.",
+               job->options.input, l->nz, l->nx, l->ny, l->pitch_x_mm, l->pitch_y_mm, l->layer_mm);
+    report_begin_list(r, "materials");
+    for (uint32_t i = 0; i < m->count; i++) {
+        char volume[DESCRIBE_MM3_SIZE];
+        report_begin(r, NULL);
+        report_text(r, "name", m->table[i].name);
+        report_number(r, "volume_mm3", g->asked[i] * voxel_mm3);
+        report_number(r, "tone_asked", g->asked[i] / solid);
+        report_end(r);
+        report_say(r, "  %-12s %s, %.3f %% of the solid", m->table[i].name,
+                   describe_mm3(g->asked[i] * voxel_mm3, volume), 100 * g->asked[i] / solid);
+    }
+    report_end(r);
+    report_text(r, "output", job->options.output);
+    report_say(r, "Written to %s.", job->options.output);
+}
+
+// What 3MF holds is what is mixed where, not how a printer makes it of dots.
+static exit_status check_package(cli_job *job)
+{
+    const uint64_t useless = OPTION_MASK | OPTION_SHELL | OPTION_KEEP_OUT | OPTION_PICTURE;
+    return (job->options.given & useless) == 0
+               ? EXIT_GOOD
+               : job_fail(job, EXIT_USAGE,
+                          "A 3MF file holds the mixture itself, and no dots: leave out --mask, "
+                          "--shell, --keep-out and --picture.");
+}
+
 static exit_status grade(cli_job *job, const solid_input *in, materials *m)
 {
     graded g;
@@ -188,7 +231,10 @@ static exit_status grade(cli_job *job, const solid_input *in, materials *m)
     if (status == EXIT_GOOD) {
         status = graded_write(job, in, channels, m, &shell, job->options.output, &g);
     }
-    if (status == EXIT_GOOD) {
+    if (status == EXIT_GOOD && package_is_asked(job->options.output)) {
+        report_package(job, in, m, &g);
+        report_number(job->report, "seconds", job_seconds(job));
+    } else if (status == EXIT_GOOD) {
         report_fields(job, in, m, &g);
         say(job, m, &g);
         report_number(job->report, "seconds", job_seconds(job));
@@ -202,13 +248,17 @@ exit_status verb_grade(cli_job *job)
     solid_input in = {NULL, NULL};
     memset(&m, 0, sizeof m);
     if (job->options.output == NULL) {
-        return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER.");
+        return job_fail(job, EXIT_USAGE, "Say where the layers go: -o FOLDER, or -o FILE.3mf.");
     }
     if (job->options.picture != NULL && output_kind_of(job->options.picture) != OUTPUT_PICTURE) {
         return job_fail(job, EXIT_USAGE, "--picture %s: a picture's name ends in .png.",
                         job->options.picture);
     }
-    exit_status status = output_probe(job, job->options.output, OUTPUT_STACK);
+    int is_package = package_is_asked(job->options.output);
+    exit_status status = is_package ? check_package(job) : EXIT_GOOD;
+    if (status == EXIT_GOOD) {
+        status = output_probe(job, job->options.output, is_package ? OUTPUT_MESH : OUTPUT_STACK);
+    }
     if (status == EXIT_GOOD) {
         status = output_probe(job, job->options.picture, OUTPUT_PICTURE);
     }

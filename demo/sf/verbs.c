@@ -103,8 +103,9 @@ const verb_entry verbs_table[] = {
       "  sf grade cage.vtk --shell 0.2,low -o graded\n"
       "  sf grade cage.vtk --paint recipe.json -o graded --picture graded.png\n"
       "  sf grade cage.vtk -o graded --picture graded.png --view top --slice 8\n"
-      "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n",
-      "folder for the layers", NULL},
+      "  sf grade cage.vtk --property stiffness --mask diffuse --resolution 128 -o graded\n"
+      "  sf grade cage.vtk --resolution 128 -o graded.3mf\n",
+      "folder for the layers, or a .3mf file for what is mixed where", NULL},
      verb_grade},
     {{"refine", "a cage after some steps of subdivision", "CAGE", 0,
       OPTION_OUTPUT | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_STEPS | OPTION_PAINT |

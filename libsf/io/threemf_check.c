@@ -141,6 +141,27 @@ static sf_status check_items(const sf_threemf_view *what, sf_fault *fault)
                : sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "there are no items to be built");
 }
 
+size_t sfi_threemf_mixed(const sf_threemf_view *what, const sf_threemf_volume *volume)
+{
+    size_t count = 0;
+    for (size_t i = 0; volume->mixed_group != SF_THREEMF_NONE && i < what->colour_count; i++) {
+        count += what->colours[i].group == volume->mixed_group;
+    }
+    return count;
+}
+
+// Whether the group that is mixed is one of base materials, with a fraction for each.
+static int can_mix(const sf_threemf_view *what, const sf_threemf_volume *v)
+{
+    size_t mixed = sfi_threemf_mixed(what, v);
+    for (size_t i = 0; i < what->colour_count; i++) {
+        if (what->colours[i].group == v->mixed_group && what->colours[i].name[0] == '\0') {
+            return 0;
+        }
+    }
+    return v->mixed_group == SF_THREEMF_NONE || (mixed > 0 && mixed <= v->field_count);
+}
+
 static sf_status check_volume(const sf_threemf_view *what, const sf_threemf_volume *v,
                               sf_fault *fault)
 {
@@ -159,6 +180,11 @@ static sf_status check_volume(const sf_threemf_view *what, const sf_threemf_volu
             return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
                                  "property %zu has no name, or no range of values", i);
         }
+    }
+    if (!can_mix(what, v)) {
+        return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
+                             "a volume mixes no group of base materials, or has fewer properties "
+                             "than that has materials");
     }
     if (v->field_count * (uint64_t)v->lattice.nz > SHEETS_MAX) {
         return sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,

@@ -168,15 +168,39 @@ static void emit_unit_map(const sf_lattice *l, sfi_emitter *out)
     }
 }
 
-static void emit_volume(const sf_threemf_volume *v, uint32_t first, sfi_emitter *out)
+// Fractions of base materials: a mapping for each, in their order. They are properties besides, for
+// readers that know no composites.
+static void emit_composite(const sf_threemf_volume *v, sfi_threemf_numbers ids, size_t mixed,
+                           sfi_emitter *out)
 {
+    sfi_emit_text(out, "   <v:composite");
+    emit_attribute(out, "basematerialid", (uint64_t)ids.groups + v->mixed_group);
+    sfi_emit_text(out, ">\n");
+    for (size_t f = 0; f < mixed; f++) {
+        sfi_emit_text(out, "    <v:materialmapping");
+        emit_attribute(out, "functionid", (uint64_t)ids.volume + 2 * f + 1);
+        sfi_emit_text(out, " channel=\"red\"");
+        emit_unit_map(&v->lattice, out);
+        sfi_emit_text(out, "/>\n");
+    }
+    sfi_emit_text(out, "   </v:composite>\n");
+}
+
+static void emit_volume(const sf_threemf_view *what, const sf_threemf_volume *v,
+                        sfi_threemf_numbers ids, sfi_emitter *out)
+{
+    uint32_t first = ids.volume;
     uint64_t last = (uint64_t)first + 2 * v->field_count;
     for (size_t f = 0; f < v->field_count; f++) {
         emit_stack(v, f, (uint64_t)first + 2 * f, out);
     }
+    size_t mixed = sfi_threemf_mixed(what, v);
     sfi_emit_text(out, "  <v:volumedata");
     emit_attribute(out, "id", last);
     sfi_emit_text(out, ">\n");
+    if (mixed > 0) {
+        emit_composite(v, ids, mixed, out);
+    }
     for (size_t f = 0; f < v->field_count; f++) {
         sfi_emit_text(out, "   <v:property");
         emit_property_name(v, f, out);
@@ -310,7 +334,7 @@ void sfi_threemf_emit_model(const sf_threemf_view *what, const sf_threemf_extras
     sfi_emit_text(out, ">\n <metadata name=\"Application\">libsf</metadata>\n <resources>\n");
     emit_colours(what, ids.groups, out);
     if (volume != NULL) {
-        emit_volume(volume, ids.volume, out);
+        emit_volume(what, volume, ids, out);
     }
     for (size_t i = 0; i < what->object_count; i++) {
         emit_object(what, i, ids, volume, out);

@@ -17,6 +17,9 @@ typedef struct sfi_threemf_numbers {
 sf_status sfi_threemf_check(const sf_threemf_view *what, const sf_threemf_extras *extras,
                             sf_fault *fault);
 
+// How many of a volume's properties are fractions of materials.
+size_t sfi_threemf_mixed(const sf_threemf_view *what, const sf_threemf_volume *volume);
+
 // 3D/3dmodel.model.
 void sfi_threemf_emit_model(const sf_threemf_view *what, const sf_threemf_extras *extras,
                             sfi_emitter *out);

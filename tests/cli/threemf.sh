@@ -46,6 +46,23 @@ run stand column.obj --gamma 1 --resolution 32 --cut x -o halves.3mf
 [ "$exit" -le 1 ] && [ -s halves.3mf ] && [ ! -e halves_low.stl ]
 ok $? "halves are in the package"
 
+# A graded solid: its surface, and pictures of what is mixed where.
+cage cage.vtk 4 2 2
+run grade cage.vtk --resolution 40 -o graded.3mf --json
+if ! grep -q 'build it with libspng' stderr; then
+    same "$exit $(value materials.0.name) $(value materials.1.name)" "0 low high" "grade writes what is mixed"
+    half=$(value materials.0.tone_asked)
+    awk "BEGIN { exit !($half > 0.499 && $half < 0.501) }"
+    ok $? "half of it the first material ($half)"
+    exits 0 info graded.3mf --json
+    awk "BEGIN { exit !($(value volume_mm3) > 13.5 && $(value volume_mm3) < 13.7) }"
+    ok $? "and the surface of the smooth solid ($(value volume_mm3) mm3)"
+    exits 2 grade cage.vtk --mask diffuse -o graded.3mf
+    exits 3 grade box.obj -o none.3mf
+    [ ! -e none.3mf ]
+    ok $? "what cannot be graded leaves nothing"
+fi
+
 # What is damaged is refused with a sentence, and what stood there stays.
 head -c 3000 box.3mf >cut.3mf
 exits 3 check cut.3mf

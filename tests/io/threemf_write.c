@@ -171,7 +171,7 @@ static const sf_threemf_field field = {"stiffness", 1, 2};
 static sf_threemf_volume volume_of(uint32_t *most)
 {
     sf_lattice lattice = {3, 2, 4, 0.5, 0.25, 0.1, NULL, {0, 0, 0}};
-    sf_threemf_volume v = {0, lattice, 1, &field, no_layer, most};
+    sf_threemf_volume v = {0, lattice, 1, &field, SF_THREEMF_NONE, no_layer, most};
     return v;
 }
 
@@ -212,9 +212,10 @@ static void spoil_volume(sf_threemf_volume *v, sf_threemf_field *f, int how)
     v->lattice.nx = how == 3 ? 0 : 3;
     f->name = how == 4 ? "" : "stiffness";
     f->high = how == 5 ? f->low : how == 6 ? INFINITY : 2;
+    v->mixed_group = how == 7 ? 1 : how == 8 ? 0 : how == 9 ? 9 : SF_THREEMF_NONE;
 }
 
-enum { OBJECTS = 11, PLACES = 6, VOLUMES = 7 };
+enum { OBJECTS = 11, PLACES = 6, VOLUMES = 10 };
 
 static void refuses_before_the_first_byte(void)
 {

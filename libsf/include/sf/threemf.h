@@ -206,6 +206,8 @@ typedef struct sf_threemf_volume {
     sf_lattice lattice;             /**< in the object's axes; heights_mm is NULL */
     size_t field_count;             /**< how many properties, 1 to 64 */
     const sf_threemf_field *fields; /**< what they are */
+    uint32_t mixed_group;           /**< number of a group of base materials whose fractions are the
+                                         first properties, one for each; or SF_THREEMF_NONE */
     /** Fill a layer: planes[f][y * nx + x] for each property f. Called once for each layer, from
      * the bottom up; a status other than SF_OK ends the writing and is passed on. */
     sf_status (*layer)(void *user, uint32_t k, uint16_t *const *planes);
@@ -239,7 +241,8 @@ SF_API sf_threemf_extras sf_threemf_extras_default(void);
  *
  * A volume's property is written as a stack of PNG pictures of 16 bits grey, 3D/volume_F_K.png with
  * the largest y on top, a function that makes values of them, and a property of the object's volume
- * data, in the namespace urn:libsf:property:1. Between the centres of voxels it is linear.
+ * data, in the namespace urn:libsf:property:1; fractions of materials are its composite besides.
+ * Between the centres of voxels it is linear.
  *
  * @param what       objects with triangles, their colours, and items; `stack` of each is
  *                   SF_THREEMF_NONE. Colours of a triangle are of one group, or all
