@@ -7,6 +7,7 @@
 #include "world.h"
 
 #include <sf/gltf.h>
+#include <sf/threemf.h>
 
 #include <errno.h>
 #include <sys/stat.h>
@@ -99,6 +100,51 @@ static void save_scene(world *w, uint32_t seed)
     world_end(w);
 }
 
+static void save_package(world *w, uint32_t seed)
+{
+    bytes b = {NULL, 0};
+    char name[64];
+    sf_sink sink = {gather, &b};
+    const sf_mesh *mesh = make(w, "sf_mesh", seed);
+    snprintf(name, sizeof name, "%u.3mf", seed);
+    if (sf_threemf_is_served()) {
+        save_good(sf_mesh_write(sf_mesh_get_view(mesh), SF_MESH_FORMAT_THREEMF, sink),
+                  "threemf_read", name, &b);
+    }
+    world_end(w);
+}
+
+// A model with something of everything that is read, and a part that it names.
+static void save_model(void)
+{
+#define MODEL_XML                                                                                  \
+    "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "                  \
+    "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "                   \
+    "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "                 \
+    "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
+    static const char model[] = MODEL_XML
+        "requiredextensions=\"p s\" unit=\"inch\"><resources><basematerials id=\"4\"><base "
+        "name=\"a\" displaycolor=\"#010203\"/></basematerials><m:colorgroup id=\"5\"><m:color "
+        "color=\"#FF000080\"/></m:colorgroup><s:slicestack id=\"3\"><s:sliceref "
+        "slicestackid=\"1\" slicepath=\"/2D/a.model\"/></s:slicestack><object id=\"1\" pid=\"4\" "
+        "pindex=\"0\" s:slicestackid=\"3\"><mesh><vertices><vertex x=\"0\" y=\"0\" "
+        "z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/>"
+        "</vertices><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"5\" p1=\"0\" "
+        "p2=\"0\"/></triangles></mesh></object><object id=\"2\"><components><component "
+        "objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></components></object>"
+        "</resources><build><item objectid=\"2\"/><item objectid=\"1\"/></build></model>";
+    static const char slices[] = MODEL_XML
+        "><resources><s:slicestack id=\"1\" zbottom=\"0\"><s:slice ztop=\"1\"><s:vertices>"
+        "<s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"1\" y=\"0\"/><s:vertex x=\"0\" y=\"1\"/>"
+        "</s:vertices><s:polygon startv=\"0\"><s:segment v2=\"1\"/><s:segment v2=\"2\"/>"
+        "<s:segment v2=\"0\"/></s:polygon></s:slice><s:slice ztop=\"2\"/></s:slicestack>"
+        "</resources></model>";
+    static char both[sizeof model + sizeof slices];
+    memcpy(both, model, sizeof model); // and the zero between them
+    memcpy(both + sizeof model, slices, sizeof slices - 1);
+    save("threemf_read", "model", both, sizeof model + sizeof slices - 1);
+}
+
 static void save_cages(world *w, uint32_t seed)
 {
     for (int binary = 0; binary < 2; binary++) {
@@ -187,9 +233,11 @@ int main(int argc, char **argv)
     for (uint32_t seed = 1; seed <= 3; seed++) {
         save_meshes(w, seed);
         save_scene(w, seed);
+        save_package(w, seed);
         save_cages(w, seed);
         save_session(w, seed);
     }
+    save_model();
     save_words();
     save_calls();
     free(w);
