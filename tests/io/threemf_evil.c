@@ -3,7 +3,7 @@
 // end, archives cut short or changed at any byte; and memory that runs out leaves nothing behind.
 // Guards: TRUST 2, B1 to B4, B8, B13, B15, B16; the strong guarantee under a failing allocator.
 
-#include "archive.h"
+#include "stored_zip.h"
 
 #define SQUARE                                                                                     \
     "<s:vertices><s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"1\" y=\"0\"/>"                           \

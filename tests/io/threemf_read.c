@@ -2,7 +2,7 @@
 // What a 3MF file says is what is read: units, components, transforms, parts of their own,
 // materials and colours, in the words of the specification. Guards: issue 8 part 1.
 
-#include "archive.h"
+#include "stored_zip.h"
 
 static sf_threemf *read_model(const char *model)
 {

@@ -3,7 +3,7 @@
 // says what is wrong, and leaves nothing behind: cycles, paths that lead out, entities, two parts
 // of one name. Guards: TRUST 2, B5, B7, B10 to B14; the strong guarantee.
 
-#include "archive.h"
+#include "stored_zip.h"
 
 #define C OBJECT("1", CORNER)
 #define I ITEM("1")

@@ -3,7 +3,7 @@
 // made of others; and what are no layers is refused. Guards: issue 8 part 1, TRUTH.md (the sliced
 // torus has 797.9223 mm3 in 50 slices).
 
-#include "archive.h"
+#include "stored_zip.h"
 
 #define RING                                                                                       \
     "<s:vertices><s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"4\" y=\"0\"/>"                           \

@@ -4,7 +4,7 @@
 // byte, and a sink or an allocator that fails is told of. Guards: issue 8 part 1, the strong
 // guarantee.
 
-#include "archive.h"
+#include "stored_zip.h"
 
 static const double points[12] = {0, 0, 0, 1, 0, 0, 0, 1e-7, 0, 0.1, 0, 1.0 / 3};
 static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};

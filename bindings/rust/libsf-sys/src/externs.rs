@@ -122,6 +122,9 @@ pub const SF_SAMPLE_VOXEL_MAX: u64 = 1099511627776;
 /// Most passes of a smooth-trim.
 pub const SF_BRUSH_PASSES_MAX: u32 = 16;
 
+/// What stands for no colour and no stack.
+pub const SF_THREEMF_NONE: u32 = 4294967295;
+
 /// What became of a call. Numbers are fixed and never reused.
 ///
 /// Anything but SF_OK changed no object and no output, with one exception: SF_ERR_CAPACITY may
@@ -293,6 +296,30 @@ pub const SF_OPERATION_REPAIR: sf_operation = 3;
 /// matter was taken away only
 pub const SF_OPERATION_PRESERVE: sf_operation = 4;
 
+/// Mesh file formats.
+pub type sf_mesh_format = c_int;
+/// reading only: judge by the bytes
+pub const SF_MESH_FORMAT_AUTO: sf_mesh_format = 0;
+/// text and binary in, binary out
+pub const SF_MESH_FORMAT_STL: sf_mesh_format = 1;
+/// in and out
+pub const SF_MESH_FORMAT_OBJ: sf_mesh_format = 2;
+/// text and both binary orders in, binary little-endian out
+pub const SF_MESH_FORMAT_PLY: sf_mesh_format = 3;
+/// text, in only
+pub const SF_MESH_FORMAT_OFF: sf_mesh_format = 4;
+/// .3mf in and out, where sf_threemf_is_served(): \<sf/threemf.h\>
+pub const SF_MESH_FORMAT_THREEMF: sf_mesh_format = 5;
+/// .glb and .gltf in, where sf_gltf_is_served(); .glb out: \<sf/gltf.h\>
+pub const SF_MESH_FORMAT_GLTF: sf_mesh_format = 6;
+
+/// Kinds of CLI files.
+pub type sf_contour_format = c_int;
+/// numbers as text, which read back as the same doubles
+pub const SF_CONTOUR_CLI_TEXT: sf_contour_format = 0;
+/// floats of 32 bits
+pub const SF_CONTOUR_CLI_BINARY: sf_contour_format = 1;
+
 /// What a region is given by.
 pub type sf_density_shape = c_int;
 /// voxels whose centre lies in low_mm \<= centre \< high_mm
@@ -316,21 +343,6 @@ pub type sf_void_kind = c_int;
 pub const SF_VOID_TRAP: sf_void_kind = 0;
 /// closed against the film while its layers print, and open later
 pub const SF_VOID_CUP: sf_void_kind = 1;
-
-/// Mesh file formats.
-pub type sf_mesh_format = c_int;
-/// reading only: judge by the bytes
-pub const SF_MESH_FORMAT_AUTO: sf_mesh_format = 0;
-/// text and binary in, binary out
-pub const SF_MESH_FORMAT_STL: sf_mesh_format = 1;
-/// in and out
-pub const SF_MESH_FORMAT_OBJ: sf_mesh_format = 2;
-/// text and both binary orders in, binary little-endian out
-pub const SF_MESH_FORMAT_PLY: sf_mesh_format = 3;
-/// text, in only
-pub const SF_MESH_FORMAT_OFF: sf_mesh_format = 4;
-/// .glb and .gltf in, where sf_gltf_is_served(); .glb out: \<sf/gltf.h\>
-pub const SF_MESH_FORMAT_GLTF: sf_mesh_format = 6;
 
 /// What matter a path may end on.
 pub type sf_landing = c_int;
@@ -373,6 +385,13 @@ pub const SF_TONE_U8: sf_tone_type = 0;
 pub const SF_TONE_F32: sf_tone_type = 1;
 /// double: 1 is all
 pub const SF_TONE_F64: sf_tone_type = 2;
+
+/// Formats of jobs.
+pub type sf_job_format = c_int;
+/// a zip archive with config.ini and a PNG for each layer
+pub const SF_JOB_SL1: sf_job_format = 1;
+/// .photon of the cbddlp family, versions 1 and 2, one bit a pixel
+pub const SF_JOB_PHOTON: sf_job_format = 2;
 
 /// Which way a curve goes.
 pub type sf_trend = c_int;
@@ -475,6 +494,19 @@ pub const SF_STAND_PROGRAMS: sf_stand_solver = 0;
 /// the paper's gradient descent on a weighed sum; for comparison
 pub const SF_STAND_DESCENT: sf_stand_solver = 1;
 
+/// What an object is for, as its file says.
+pub type sf_threemf_kind = c_int;
+/// a part
+pub const SF_THREEMF_MODEL: sf_threemf_kind = 0;
+/// a support that is printed as it is
+pub const SF_THREEMF_SOLID_SUPPORT: sf_threemf_kind = 1;
+/// a support that the printer's program makes solid
+pub const SF_THREEMF_SUPPORT: sf_threemf_kind = 2;
+/// a surface without an inside
+pub const SF_THREEMF_SURFACE: sf_threemf_kind = 3;
+/// anything else, which is not printed
+pub const SF_THREEMF_OTHER: sf_threemf_kind = 4;
+
 /// A stack of slices that owns its memory.
 #[repr(C)]
 pub struct sf_grid {
@@ -559,20 +591,6 @@ pub struct sf_chip {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// A cage and what it is after each of some steps.
-#[repr(C)]
-pub struct sf_refinement {
-    _nothing: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
-/// Tetrahedra that own their arrays, or follow a refinement.
-#[repr(C)]
-pub struct sf_tets {
-    _nothing: [u8; 0],
-    _marker: PhantomData<(*mut u8, PhantomPinned)>,
-}
-
 /// A file being read.
 #[repr(C)]
 pub struct sf_file {
@@ -590,6 +608,20 @@ pub struct sf_save {
 /// A folder of the disk, being read or being written.
 #[repr(C)]
 pub struct sf_directory {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A cage and what it is after each of some steps.
+#[repr(C)]
+pub struct sf_refinement {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// Tetrahedra that own their arrays, or follow a refinement.
+#[repr(C)]
+pub struct sf_tets {
     _nothing: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -633,6 +665,13 @@ pub struct sf_diffuser {
 /// The voxels near the surface of a mesh, a slice at a time.
 #[repr(C)]
 pub struct sf_shell {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A job being read.
+#[repr(C)]
+pub struct sf_job {
     _nothing: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -703,6 +742,13 @@ pub struct sf_session {
 /// A shape on its way to standing.
 #[repr(C)]
 pub struct sf_stand {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// A 3MF file that was read.
+#[repr(C)]
+pub struct sf_threemf {
     _nothing: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -1136,6 +1182,31 @@ pub struct sf_handle {
     pub region: *const sf_grid,
     /// 1: whoever looks for poses leaves this handle's alone
     pub locked: c_int,
+}
+
+/// Where a ray meets a surface.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_ray_hit {
+    /// how many times the direction's length from the ray's beginning
+    pub along: f64,
+    /// which triangle, or whatever the caster numbers
+    pub triangle: u32,
+    /// 1: the ray comes from inside there; 0: it enters
+    pub leaves: c_int,
+}
+
+/// Somebody who finds where rays meet a closed surface, as \<sf/link/embree.h\> does.
+///
+/// `next` leaves the nearest hit with `along` greater than `beyond`, and 1 in `found`; or 0 in
+/// `found` where there is none. What it returns is passed on where it is not SF_OK.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_ray_caster {
+    /// finds the next hit
+    pub next: Option<unsafe extern "C" fn(user: *mut c_void, from_mm: *const f64, direction: *const f64, beyond: f64, hit: *mut sf_ray_hit, found: *mut c_int) -> sf_status>,
+    /// handed to it; may be NULL
+    pub user: *mut c_void,
 }
 
 /// How handles are placed. Fill with sf_place_options_default().
@@ -2095,6 +2166,57 @@ pub struct sf_chip_store {
     pub slot_size: u32,
 }
 
+/// Bounds on what a reader takes. Fill with sf_read_limits_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_read_limits {
+    /// sizeof(sf_read_limits), set by the default
+    pub struct_size: usize,
+    /// most bytes read from the source (default 8 GiB)
+    pub bytes_max: u64,
+    /// most triangles (default 1e9)
+    pub triangles_max: usize,
+    /// most vertices, corners of STL facets one by one (default UINT32_MAX)
+    pub vertices_max: usize,
+}
+
+/// A folder as a stack sees it: named files, each read or written whole, one at a time.
+///
+/// A folder that is only written may leave `open` and `close` NULL, one that is only read the
+/// others. sf_directory_folder() makes one of a folder of the disk.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_folder {
+    /// Open file `name` for reading. SF_ERR_IO when it is not there.
+    pub open: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, source: *mut sf_source) -> sf_status>,
+    /// Done with a source from `open`.
+    pub close: Option<unsafe extern "C" fn(user: *mut c_void, source: sf_source)>,
+    /// Begin file `name`; nothing shows under that name until `commit`.
+    pub begin: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, sink: *mut sf_sink) -> sf_status>,
+    /// Finish the file begun last: publish it (keep != 0) or drop it.
+    pub commit: Option<unsafe extern "C" fn(user: *mut c_void, keep: c_int) -> sf_status>,
+    /// handed to all four; may be NULL
+    pub user: *mut c_void,
+}
+
+/// The rule that a stack was made under, as stack.json carries it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_stack_info {
+    /// 0: the stack says nothing of a rule, and the rest is 0
+    pub has_rule: c_int,
+    /// which rule
+    pub rule: sf_rule_kind,
+    /// its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0
+    pub angle_rad: f64,
+    /// layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts from layer 0
+    pub bed_layer: u32,
+    /// bridges of the rule, 0: none; see sf_rule_set_bridges()
+    pub bridge_span_mm: f64,
+    /// carried matter that each end of one must have
+    pub bridge_anchor_mm: f64,
+}
+
 /// A region of one density. Only what its shape names is looked at.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2255,57 +2377,6 @@ pub struct sf_voids_options {
     pub voids: *mut sf_void,
     /// places in it
     pub void_capacity: usize,
-}
-
-/// Bounds on what a reader takes. Fill with sf_read_limits_default().
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_read_limits {
-    /// sizeof(sf_read_limits), set by the default
-    pub struct_size: usize,
-    /// most bytes read from the source (default 8 GiB)
-    pub bytes_max: u64,
-    /// most triangles (default 1e9)
-    pub triangles_max: usize,
-    /// most vertices, corners of STL facets one by one (default UINT32_MAX)
-    pub vertices_max: usize,
-}
-
-/// A folder as a stack sees it: named files, each read or written whole, one at a time.
-///
-/// A folder that is only written may leave `open` and `close` NULL, one that is only read the
-/// others. sf_directory_folder() makes one of a folder of the disk.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_folder {
-    /// Open file `name` for reading. SF_ERR_IO when it is not there.
-    pub open: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, source: *mut sf_source) -> sf_status>,
-    /// Done with a source from `open`.
-    pub close: Option<unsafe extern "C" fn(user: *mut c_void, source: sf_source)>,
-    /// Begin file `name`; nothing shows under that name until `commit`.
-    pub begin: Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char, sink: *mut sf_sink) -> sf_status>,
-    /// Finish the file begun last: publish it (keep != 0) or drop it.
-    pub commit: Option<unsafe extern "C" fn(user: *mut c_void, keep: c_int) -> sf_status>,
-    /// handed to all four; may be NULL
-    pub user: *mut c_void,
-}
-
-/// The rule that a stack was made under, as stack.json carries it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct sf_stack_info {
-    /// 0: the stack says nothing of a rule, and the rest is 0
-    pub has_rule: c_int,
-    /// which rule
-    pub rule: sf_rule_kind,
-    /// its overhang angle, SF_RULE_ANGLE_MIN_RAD to _MAX_RAD; box3: 0
-    pub angle_rad: f64,
-    /// layer that rests on the bed, or SF_BED_AUTO; the rule's phase counts from layer 0
-    pub bed_layer: u32,
-    /// bridges of the rule, 0: none; see sf_rule_set_bridges()
-    pub bridge_span_mm: f64,
-    /// carried matter that each end of one must have
-    pub bridge_anchor_mm: f64,
 }
 
 /// How glTF is read. Fill with sf_gltf_options_default().
@@ -2532,6 +2603,64 @@ pub struct sf_material_use {
     pub volume_mm3: f64,
     /// by its density; 0 without one
     pub mass_g: f64,
+}
+
+/// Bytes that can be read at any place: a file that stays as it is while it is used.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_bytes {
+    /// Store the `size` bytes from `offset` on; all of them, or a status, which is passed on. Never
+    /// asked for what lies beyond the size below.
+    pub read_at: Option<unsafe extern "C" fn(user: *mut c_void, offset: u64, data: *mut c_void, size: usize) -> sf_status>,
+    /// how many there are
+    pub size: u64,
+    /// handed to it; may be NULL
+    pub user: *mut c_void,
+}
+
+/// How a job is understood. Fill with sf_job_options_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_job_options {
+    /// sizeof(sf_job_options), set by the default
+    pub struct_size: usize,
+    /// least grey that is solid, 1..255; 128 by default
+    pub threshold: u32,
+    /// size of a pixel along x and y; 0 (default): as the job says
+    pub pitch_mm: [f64; 2],
+    /// most bytes of the file (default 64 GiB)
+    pub bytes_max: u64,
+    /// most layers (default 1e6)
+    pub layers_max: u32,
+}
+
+/// What a job says of itself.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_job_info {
+    /// which format it is in
+    pub format: sf_job_format,
+    /// whether pictures have more than black and white
+    pub has_greys: c_int,
+    /// whether the job says how large a pixel is; 0: the caller did, or the format's first printer
+    /// was taken
+    pub has_pitch: c_int,
+}
+
+/// What a new SL1 job says beside its layers. Fill with sf_sl1_settings_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_sl1_settings {
+    /// sizeof(sf_sl1_settings), set by the default
+    pub struct_size: usize,
+    /// of the job: letters, digits, - and _; "job" by default
+    pub name: *const c_char,
+    /// of a layer, 0 \< it \<= 1e6; 8 by default
+    pub exposure_s: f64,
+    /// of the first ones; 35 by default
+    pub first_exposure_s: f64,
+    /// layers from the one to the other; 10 by default
+    pub fade_layers: u32,
 }
 
 /// What a material is called, looks like and weighs.
@@ -3082,6 +3211,115 @@ pub struct sf_stand_report {
     /// voxels of the carved shape that nothing supports and that were supported in the solid: 0 but
     /// for the paper's carving
     pub hanging_voxels: u64,
+}
+
+/// A material, or a colour of a group.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_colour {
+    /// of a base material; "" for a colour of a group
+    pub name: *const c_char,
+    /// red, green, blue, and 255 for opaque; sRGB
+    pub rgba: [u8; 4],
+    /// colours of one group of the file have the same number, from 0
+    pub group: u32,
+}
+
+/// An object that has triangles of its own.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_object {
+    /// as the file says, or ""
+    pub name: *const c_char,
+    /// what it is for
+    pub kind: sf_threemf_kind,
+    /// in mm, in the object's own axes
+    pub mesh: sf_mesh_view,
+    /// 3 for each triangle, of its corners: numbers of colours, or SF_THREEMF_NONE; NULL where no
+    /// triangle has any
+    pub colours: *const u32,
+    /// number of its stack of slices, or SF_THREEMF_NONE
+    pub stack: u32,
+    /// 1 where the file says that the triangles only stand for slices
+    pub is_rough: c_int,
+}
+
+/// An object in its place on the printer's bed. Components are resolved: each of them is one.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_item {
+    /// number of the object
+    pub object: u32,
+    /// from the object's axes to the bed's, in mm
+    pub placed: sf_transform,
+}
+
+/// A view of what a file holds; good until the document is destroyed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_view {
+    /// all materials and colours of all groups
+    pub colours: *const sf_threemf_colour,
+    /// how many
+    pub colour_count: usize,
+    /// those with triangles, in the order of the file
+    pub objects: *const sf_threemf_object,
+    /// how many
+    pub object_count: usize,
+    /// what is built, in the order of the file
+    pub items: *const sf_threemf_item,
+    /// how many
+    pub item_count: usize,
+    /// how many stacks of slices objects have
+    pub stack_count: usize,
+}
+
+/// A property that varies inside an object.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_field {
+    /// UTF-8, for people; not ""
+    pub name: *const c_char,
+    /// the value that 0 stands for
+    pub low: f64,
+    /// the value that 65535 stands for, above `low`
+    pub high: f64,
+}
+
+/// Properties inside an object, on a lattice: the volumetric extension's stacks of pictures.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_volume {
+    /// number of the object that they fill
+    pub object: u32,
+    /// in the object's axes; heights_mm is NULL
+    pub lattice: sf_lattice,
+    /// how many properties, 1 to 64
+    pub field_count: usize,
+    /// what they are
+    pub fields: *const sf_threemf_field,
+    /// number of a group of base materials whose fractions are the first properties, one for each;
+    /// or SF_THREEMF_NONE
+    pub mixed_group: u32,
+    /// Fill a layer: planes\[f\]\[y \* nx + x\] for each property f. Called once for each layer,
+    /// from the bottom up; a status other than SF_OK ends the writing and is passed on.
+    pub layer: Option<unsafe extern "C" fn(user: *mut c_void, k: u32, planes: *const *mut u16) -> sf_status>,
+    /// handed to it; may be NULL
+    pub user: *mut c_void,
+}
+
+/// What a file may hold beside its objects. Fill with sf_threemf_extras_default().
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_threemf_extras {
+    /// sizeof(sf_threemf_extras), set by the default
+    pub struct_size: usize,
+    /// a picture of it, a PNG file; NULL: none
+    pub thumbnail: *const c_void,
+    /// its bytes
+    pub thumbnail_size: usize,
+    /// properties inside one of the objects; NULL: none
+    pub volume: *const sf_threemf_volume,
 }
 
 extern "C" {
@@ -4212,6 +4450,34 @@ extern "C" {
     #[must_use]
     pub fn sf_handle_center(
         solid: *const sf_grid,
+        from_mm: *const f64,
+        direction: *const f64,
+        center_mm: *mut f64,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The middle of the solid behind a point, by rays instead of voxels: sf_handle_center() of a
+    /// surface.
+    ///
+    /// Where the surface goes through itself, the ray leaves the solid when it has left as often as
+    /// it entered. A ray that leaves first begins inside.
+    ///
+    /// - `caster`: who finds hits
+    /// - `from_mm`: where the ray begins
+    /// - `direction`: where it runs, of any length but 0
+    /// - `center_mm`: receives the middle; may be `from_mm`
+    /// - `fault`: NULL, or receives a sentence on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a point or direction that is not finite,
+    ///   a direction without length; SF_ERR_INFEASIBLE: the ray does not enter and leave the
+    ///   surface, or meets it more than 100,000 times; SF_ERR_INTERNAL: a caster that goes
+    ///   backwards; or what the caster returned.
+    /// - cost: one call of the caster for each hit.
+    /// - threads: as the caster.
+    /// - source: as sf_handle_center().
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_handle_center_by_rays(
+        caster: sf_ray_caster,
         from_mm: *const f64,
         direction: *const f64,
         center_mm: *mut f64,
@@ -6554,6 +6820,432 @@ extern "C" {
     #[must_use]
     pub fn sf_chip_resume(chip: *mut sf_chip, store: *const sf_chip_store) -> sf_status;
 
+    /// The default bounds: 8 GiB, 1e9 triangles, UINT32_MAX vertices.
+    ///
+    /// - returns: the limits, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_read_limits_default() -> sf_read_limits;
+
+    /// The mesh format that the extension of a file name stands for.
+    ///
+    /// - `name`: a file name or a path, upper or lower case; NULL is allowed
+    /// - returns: the format; SF_MESH_FORMAT_AUTO when the name ends in none of .stl .obj .ply .off
+    ///   .3mf .glb .gltf.
+    /// - cost: the length of the name.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_mesh_format_from_name(name: *const c_char) -> sf_mesh_format;
+
+    /// Read a mesh from any source of bytes: STL, OBJ, PLY, OFF, 3MF or glTF.
+    ///
+    /// Coordinates are taken as they are, as mm. Polygons become fans about their first corner.
+    /// What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is
+    /// passed over. STL has no shared vertices, so every facet brings three of its own;
+    /// sf_mesh_merge() joins them. Of 3MF, which has units and a build, the whole build becomes one
+    /// mesh in mm, as sf_threemf_read() and sf_threemf_merge() do it.
+    ///
+    /// glTF says which way is up: it is turned to mm with z up, as sf_gltf_read() says, which also
+    /// reads buffers in other files. Its text form is not told from others by its bytes.
+    ///
+    /// No count in a file is believed: memory grows as the bytes come. A binary STL file is as long
+    /// as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with
+    /// endsolid; a file that is shorter is refused, because half a part looks like a whole one. So
+    /// are coordinates that are not finite, faces of fewer than three corners, corners that name no
+    /// vertex, and files without a triangle. Numbers are read exactly, whatever the locale.
+    ///
+    /// - `source`: the file; read to where the mesh ends, or somewhat beyond
+    /// - `format`: the format, or SF_MESH_FORMAT_AUTO to judge by the first 4096 bytes
+    /// - `limits`: NULL for sf_read_limits_default()
+    /// - `allocator`: for the mesh and for reading; NULL for the C library's
+    /// - `mesh`: where the new mesh is left, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure: what is wrong, at which line (of text files) and
+    ///   byte, and what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_UNSUPPORTED: glTF or 3MF that
+    ///   sf_gltf_read() or sf_threemf_read() do not serve; SF_ERR_OVERFLOW: more than `limits`;
+    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source
+    ///   returned.
+    /// - cost: one pass over the file; while it grows, memory for two and a half times the mesh.
+    /// - threads: any, on distinct sources; one at a time for each allocator.
+    /// - source: 3D Systems, "StereoLithography Interface Specification", 1989; Wavefront, "Object
+    ///   Files"; G. Turk, "The PLY Polygon File Format", 1994; the Geomview manual, "OFF Files".
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_mesh_read(
+        source: sf_source,
+        format: sf_mesh_format,
+        limits: *const sf_read_limits,
+        allocator: *const sf_allocator,
+        mesh: *mut *mut sf_mesh,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a mesh as binary STL, OBJ, binary little-endian PLY, 3MF or binary glTF.
+    ///
+    /// OBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that
+    /// read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that
+    /// are equal stay equal. glTF is what sf_gltf_write() writes, without colours; 3MF has one
+    /// object, as sf_threemf_write() writes it. Everything is checked before the first byte is
+    /// written.
+    ///
+    /// - `mesh`: the mesh; what sf_mesh_validate() takes
+    /// - `format`: SF_MESH_FORMAT_STL, _OBJ, _PLY, _THREEMF or _GLTF
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
+    ///   SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF, or 3MF in a build without; SF_ERR_OVERFLOW: for
+    ///   STL and glTF, a coordinate beyond the range of floats, more than UINT32_MAX triangles, and
+    ///   for glTF and 3MF a file of 4 GiB; SF_ERR_MEMORY: for 3MF; or what the sink returned.
+    /// - cost: one pass to check, one to write; 8 KiB of stack, and 300 KiB of memory for 3MF
+    ///   alone.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_mesh_write(mesh: sf_mesh_view, format: sf_mesh_format, sink: sf_sink) -> sf_status;
+
+    /// Whether this build writes and reads PNG.
+    ///
+    /// - returns: 1 when it does; 0 when stacks are written as PBM, PNG stacks cannot be read, and
+    ///   sf_png_write_rgb() does not work.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_stack_has_png() -> c_int;
+
+    /// Write a grid as a stack: layer_00000.png and so on from the bottom, and last stack.json.
+    ///
+    /// Each picture has nx by ny pixels, one bit of grey each: white is solid. It shows the layer
+    /// from above: x to the right, y upward, so its top row is the largest y. In a build without
+    /// PNG the pictures are PBM (P4), layer_00000.pbm. stack.json says it all:
+    ///
+    /// ```text
+    /// {"format": "libsf-stack", "version": 1, "units": "mm",
+    ///  "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
+    ///              "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
+    ///  "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
+    ///                   "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer",
+    ///                   "phase_layer": 0},
+    ///  "layers": {"pattern": "layer_%05u.png", "count": nz},
+    ///  "solid": "white", "row_order": "top_is_max_y"}
+    /// ```
+    ///
+    /// Its numbers read back as the same doubles. angle_deg is for people: the reader takes
+    /// angle_rad; box3 has neither. bridge_mm is there only where the rule has bridges, and then
+    /// the version is 2. bed_layer is null for SF_BED_AUTO. phase_layer is the layer that the
+    /// rule's phase counts from (an octagon's steps differ from layer to layer); so far that is
+    /// always 0, so a reader takes nothing else, and 0 where it is absent. A folder without
+    /// stack.json is no stack, so a call that fails leaves none in a folder that had none; over
+    /// sf_directory_write() it leaves nothing at all.
+    ///
+    /// - `grid`: the shape
+    /// - `info`: the rule it was made under, or NULL
+    /// - `folder`: where to; needs `begin` and `commit`
+    /// - `task`: NULL, or progress per layer and a cancel between layers
+    /// - `fault`: NULL, or filled on failure with the file that could not be written
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a rule, angle or bed layer that there
+    ///   is not; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: libspng refuses what it should
+    ///   take; or what the folder or its sinks returned.
+    /// - cost: one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib
+    ///   take some 300 KiB from the C library, because they know no other allocators.
+    /// - threads: any that only read the grid, on distinct folders.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_stack_write(
+        grid: *const sf_grid,
+        info: *const sf_stack_info,
+        folder: sf_folder,
+        task: *mut sf_task,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Read a stack back: the grid, its lattice, and the rule it was made under.
+    ///
+    /// Layers of materials (\<sf/layers.h\>) are read as what is solid. Pictures may also be grey
+    /// of 2 to 8 bits, as picture editors save them: half-way and above is solid. Before memory is
+    /// taken for the grid, every picture that stack.json claims must be there with the claimed
+    /// size. Fields of stack.json that are not known are passed over.
+    ///
+    /// - `folder`: where from; needs `open` and `close`
+    /// - `allocator`: for the grid and for reading; NULL for the C library's
+    /// - `task`: NULL, or progress per layer and a cancel between layers
+    /// - `grid`: where the new grid is left, to be destroyed by the caller; untouched on failure
+    /// - `info`: NULL, or where the rule is left; untouched on failure
+    /// - `fault`: NULL, or filled on failure: which file, what is wrong, what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: stack.json or a picture is damaged, or they disagree;
+    ///   SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a
+    ///   build without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine
+    ///   addresses; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer;
+    ///   SF_ERR_INTERNAL: libspng refuses what it should take; SF_ERR_IO: a source that claims more
+    ///   than it was asked for; or what the folder or its sources returned.
+    /// - cost: two opens of each picture, one pass over their bytes. jansson, libspng and zlib take
+    ///   memory from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
+    /// - threads: any, on distinct folders; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_stack_read(
+        folder: sf_folder,
+        allocator: *const sf_allocator,
+        task: *mut sf_task,
+        grid: *mut *mut sf_grid,
+        info: *mut sf_stack_info,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a certificate as JSON, for sf-verify and whoever else wants to check it.
+    ///
+    /// docs/certificate.md says what each field holds. The last one is the SHA-256 of every byte
+    /// before it, so the file is to be kept as it is: the same JSON in other words is refused.
+    ///
+    /// - `certificate`: the certificate
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
+    /// - cost: the length of the file; 12 KiB of stack, no memory.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_certificate_write(certificate: *const sf_certificate, sink: sf_sink) -> sf_status;
+
+    /// Write a colour picture as PNG, eight bits of red, green and blue a pixel.
+    ///
+    /// - `pixels`: 3 \* width \* height bytes: red, green, blue, row after row from the top
+    /// - `width`: 1..SF_EXTENT_MAX
+    /// - `height`: 1..SF_EXTENT_MAX
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer or a size outside its range;
+    ///   SF_ERR_UNSUPPORTED: a build without PNG; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses
+    ///   what it should take; or what the sink returned.
+    /// - cost: one pass, mostly in the compressor, which takes its memory from the C library.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_png_write_rgb(pixels: *const u8, width: u32, height: u32, sink: sf_sink) -> sf_status;
+
+    /// Open a file for reading.
+    ///
+    /// - `path`: path of the file, as the C library takes it
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `file`: where the open file is left, to be closed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: it is not there, is a folder, or may not be read;
+    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_file_open(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        file: *mut *mut sf_file,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The source that reads an open file, from where it stands to its end.
+    ///
+    /// - `file`: the file; NULL gives a source without `read`
+    /// - returns: the source; valid until the file is closed. It returns SF_ERR_IO when the disk
+    ///   fails.
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_file_source(file: *mut sf_file) -> sf_source;
+
+    /// Close a file.
+    ///
+    /// - `file`: the file, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_file_close(file: *mut sf_file);
+
+    /// Begin to write a file, without touching what stands at its path.
+    ///
+    /// The bytes go to a new file beside it, PATH.sf-PROCESS-NUMBER.tmp, until sf_save_commit()
+    /// renames that. A symbolic link at the path is replaced by the file, not followed.
+    ///
+    /// - `path`: path of the file; what stands there must be an ordinary file or nothing
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `save`: where the object is left, for sf_save_commit() or sf_save_abort(); untouched on
+    ///   failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: a folder or a device stands there, or no file can be made
+    ///   beside it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_save_begin(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        save: *mut *mut sf_save,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The sink that writes a file being saved.
+    ///
+    /// - `save`: the file; NULL gives a sink without `write`
+    /// - returns: the sink; valid until the commit or abort. After a failed write it takes nothing
+    ///   more.
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_save_sink(save: *mut sf_save) -> sf_sink;
+
+    /// Publish a file: sync it to the disk, rename it over its path, sync the folder.
+    ///
+    /// Whoever opens the path at any time finds the old file or the new one, whole; on failure the
+    /// old one, and the new one is gone. The new file has the access rights of the old.
+    ///
+    /// - `save`: the file; freed, whatever is returned
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: a write or the sync failed, or the path cannot be replaced;
+    ///   SF_ERR_ARGUMENT: NULL.
+    /// - cost: a sync of the disk.
+    /// - threads: one per file.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_save_commit(save: *mut sf_save, fault: *mut sf_fault) -> sf_status;
+
+    /// Drop a file being saved; what stands at its path stays.
+    ///
+    /// - `save`: the file, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    pub fn sf_save_abort(save: *mut sf_save);
+
+    /// Open a folder for reading its files.
+    ///
+    /// - `path`: path of the folder
+    /// - `allocator`: for the object and the files it opens; NULL for the C library's
+    /// - `directory`: where the object is left, for sf_directory_close(); untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: it is not there or no folder; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a
+    ///   NULL pointer or an empty path.
+    /// - cost: constant.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_read(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        directory: *mut *mut sf_directory,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Begin to write a folder of files, without touching what stands at its path.
+    ///
+    /// The files go to a new folder beside it, PATH.sf-PROCESS-NUMBER.tmp, until
+    /// sf_directory_commit() renames that. Only an empty folder or an earlier stack is replaced: a
+    /// folder that holds stack.json, pictures named like layers, and nothing else.
+    ///
+    /// - `path`: path of the folder to be; its parent exists
+    /// - `allocator`: for the object; NULL for the C library's
+    /// - `directory`: where the object is left, for sf_directory_commit() or sf_directory_close();
+    ///   untouched on failure
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: something else stands there, or no folder can be made beside
+    ///   it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
+    /// - cost: the number of entries of the folder that stands there.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_write(
+        path: *const c_char,
+        allocator: *const sf_allocator,
+        directory: *mut *mut sf_directory,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The folder that a stack is read from or written to.
+    ///
+    /// File names are plain: no separators, no "..". Each file is synced to the disk as it is
+    /// committed.
+    ///
+    /// - `directory`: the folder; NULL gives a folder without functions
+    /// - returns: the folder; valid until the commit or close. One file is written at a time;
+    ///   `begin` returns SF_ERR_ARGUMENT for a second one, for a name that is not plain, and for a
+    ///   folder being read.
+    /// - cost: constant.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    pub fn sf_directory_folder(directory: *mut sf_directory) -> sf_folder;
+
+    /// Publish a folder: rename it to its path, in place of an empty folder or an earlier stack.
+    ///
+    /// An earlier stack is first renamed aside (PATH.sf-PROCESS-NUMBER.old) and removed when the
+    /// new one stands: a crash in between leaves both, whole. On failure the old one stays and the
+    /// new one is gone.
+    ///
+    /// - `directory`: a folder from sf_directory_write(); freed, whatever is returned
+    /// - `fault`: NULL, or filled on failure with the path and the reason
+    /// - returns: SF_OK; SF_ERR_IO: the path cannot be replaced, or now holds something else;
+    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: NULL, or a folder being read.
+    /// - cost: a sync of the disk, and the number of files of an earlier stack.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_directory_commit(directory: *mut sf_directory, fault: *mut sf_fault) -> sf_status;
+
+    /// Close a folder being read, or drop one being written; what stands at its path stays.
+    ///
+    /// - `directory`: the folder, freed; NULL does nothing
+    /// - cost: for one being written, the number of its files; it needs no memory.
+    /// - threads: one per folder.
+    /// - since: 0.1
+    pub fn sf_directory_close(directory: *mut sf_directory);
+
+    /// Read a CLI file, text or binary, with short or long numbers.
+    ///
+    /// A layer's height is that of its top; the lowest one is as thick as the step to the next
+    /// (where there is only one: down to 0, or a millimetre where it lies there or below). A
+    /// polygon that says it is an outside turns to the left afterwards, one that says it is a hole
+    /// to the right, so that SF_CONTOUR_NONZERO is the fill to take. Layers of one height that
+    /// follow each other are one.
+    ///
+    /// No count is believed: memory grows as points come. Refused are heights that fall, numbers
+    /// that are not finite, another number of layers than the head says, and files that end early.
+    ///
+    /// - `source`: the file
+    /// - `limits`: NULL for sf_read_limits_default(); bytes and vertices count
+    /// - `allocator`: for the stack and for reading; NULL for the C library's
+    /// - `stack`: receives the stack, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure, with the line or byte
+    /// - returns: SF_OK; SF_ERR_FORMAT: no CLI file, or a damaged one; SF_ERR_OVERFLOW: more than
+    ///   `limits`; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer, a source without `read`; or what
+    ///   the source returned.
+    /// - cost: one pass.
+    /// - threads: any, on distinct sources; one at a time for each allocator.
+    /// - source: "Common Layer Interface (CLI), Version 2.0", Brite EuRam BE 2578, 1994.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_read(
+        source: sf_source,
+        limits: *const sf_read_limits,
+        allocator: *const sf_allocator,
+        stack: *mut *mut sf_contour_stack,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Write a stack as a CLI file, in mm.
+    ///
+    /// What turns to the left is written as an outside, what turns to the right as a hole. The file
+    /// does not say where the lowest layer begins.
+    ///
+    /// - `stack`: the stack
+    /// - `format`: text or binary
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no sink, no such format; SF_ERR_OVERFLOW:
+    ///   in binary, a polygon of 2^31 points or more; or what the sink returned.
+    /// - cost: one pass; 12 KiB of stack, no memory.
+    /// - threads: any, on distinct sinks.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_contour_stack_write(
+        stack: *const sf_contour_stack,
+        format: sf_contour_format,
+        sink: sf_sink,
+    ) -> sf_status;
+
     /// Options of densities: 1 everywhere.
     ///
     /// - returns: the options, by value.
@@ -6996,377 +7688,6 @@ extern "C" {
         report: *mut sf_voids_report,
         void_count: *mut usize,
     ) -> sf_status;
-
-    /// The default bounds: 8 GiB, 1e9 triangles, UINT32_MAX vertices.
-    ///
-    /// - returns: the limits, by value, with struct_size set.
-    /// - cost: constant.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_read_limits_default() -> sf_read_limits;
-
-    /// The mesh format that the extension of a file name stands for.
-    ///
-    /// - `name`: a file name or a path, upper or lower case; NULL is allowed
-    /// - returns: the format; SF_MESH_FORMAT_AUTO when the name ends in none of .stl .obj .ply .off
-    ///   .glb .gltf.
-    /// - cost: the length of the name.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_mesh_format_from_name(name: *const c_char) -> sf_mesh_format;
-
-    /// Read a mesh from any source of bytes: STL, OBJ, PLY, OFF or glTF.
-    ///
-    /// Coordinates are taken as they are, as mm. Polygons become fans about their first corner.
-    /// What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is
-    /// passed over. STL has no shared vertices, so every facet brings three of its own;
-    /// sf_mesh_merge() joins them.
-    ///
-    /// glTF alone says its unit and which way is up: it is turned to mm with z up, as
-    /// sf_gltf_read() says, which also reads buffers in other files. Its text form is not told from
-    /// others by its bytes.
-    ///
-    /// No count in a file is believed: memory grows as the bytes come. A binary STL file is as long
-    /// as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with
-    /// endsolid; a file that is shorter is refused, because half a part looks like a whole one. So
-    /// are coordinates that are not finite, faces of fewer than three corners, corners that name no
-    /// vertex, and files without a triangle. Numbers are read exactly, whatever the locale.
-    ///
-    /// - `source`: the file; read to where the mesh ends, or somewhat beyond
-    /// - `format`: the format, or SF_MESH_FORMAT_AUTO to judge by the first 4096 bytes
-    /// - `limits`: NULL for sf_read_limits_default()
-    /// - `allocator`: for the mesh and for reading; NULL for the C library's
-    /// - `mesh`: where the new mesh is left, to be destroyed by the caller; untouched on failure
-    /// - `fault`: NULL, or filled on failure: what is wrong, at which line (of text files) and
-    ///   byte, and what to do
-    /// - returns: SF_OK; SF_ERR_FORMAT: the bytes are no mesh; SF_ERR_UNSUPPORTED: glTF that
-    ///   sf_gltf_read() does not serve; SF_ERR_OVERFLOW: more than `limits`; SF_ERR_MEMORY;
-    ///   SF_ERR_ARGUMENT: a NULL pointer or an unknown format; or what the source returned.
-    /// - cost: one pass over the file; while it grows, memory for two and a half times the mesh.
-    /// - threads: any, on distinct sources; one at a time for each allocator.
-    /// - source: 3D Systems, "StereoLithography Interface Specification", 1989; Wavefront, "Object
-    ///   Files"; G. Turk, "The PLY Polygon File Format", 1994; the Geomview manual, "OFF Files".
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_mesh_read(
-        source: sf_source,
-        format: sf_mesh_format,
-        limits: *const sf_read_limits,
-        allocator: *const sf_allocator,
-        mesh: *mut *mut sf_mesh,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Write a mesh as binary STL, OBJ, binary little-endian PLY or binary glTF.
-    ///
-    /// OBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that
-    /// read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that
-    /// are equal stay equal. glTF is what sf_gltf_write() writes, without colours. Everything is
-    /// checked before the first byte is written.
-    ///
-    /// - `mesh`: the mesh; what sf_mesh_validate() takes
-    /// - `format`: SF_MESH_FORMAT_STL, _OBJ, _PLY or _GLTF
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; what sf_mesh_validate() says; SF_ERR_ARGUMENT: no sink or no format;
-    ///   SF_ERR_UNSUPPORTED: SF_MESH_FORMAT_OFF; SF_ERR_OVERFLOW: for STL and glTF, a coordinate
-    ///   beyond the range of floats, more than UINT32_MAX triangles, a file of 4 GiB; or what the
-    ///   sink returned.
-    /// - cost: one pass to check, one to write; 8 KiB of stack, no memory.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_mesh_write(mesh: sf_mesh_view, format: sf_mesh_format, sink: sf_sink) -> sf_status;
-
-    /// Whether this build writes and reads PNG.
-    ///
-    /// - returns: 1 when it does; 0 when stacks are written as PBM, PNG stacks cannot be read, and
-    ///   sf_png_write_rgb() does not work.
-    /// - cost: constant.
-    /// - threads: any.
-    /// - since: 0.1
-    pub fn sf_stack_has_png() -> c_int;
-
-    /// Write a grid as a stack: layer_00000.png and so on from the bottom, and last stack.json.
-    ///
-    /// Each picture has nx by ny pixels, one bit of grey each: white is solid. It shows the layer
-    /// from above: x to the right, y upward, so its top row is the largest y. In a build without
-    /// PNG the pictures are PBM (P4), layer_00000.pbm. stack.json says it all:
-    ///
-    /// ```text
-    /// {"format": "libsf-stack", "version": 1, "units": "mm",
-    ///  "lattice": {"nx", "ny", "nz", "pitch_mm": [x, y],
-    ///              "layer_mm" or "heights_mm": [...], "origin_mm": [x, y, z]},
-    ///  "rule": null or {"kind": "box3" | "octagon" | "disk" | "slack",
-    ///                   "angle_deg", "angle_rad", "bridge_mm": [span, anchor], "bed_layer",
-    ///                   "phase_layer": 0},
-    ///  "layers": {"pattern": "layer_%05u.png", "count": nz},
-    ///  "solid": "white", "row_order": "top_is_max_y"}
-    /// ```
-    ///
-    /// Its numbers read back as the same doubles. angle_deg is for people: the reader takes
-    /// angle_rad; box3 has neither. bridge_mm is there only where the rule has bridges, and then
-    /// the version is 2. bed_layer is null for SF_BED_AUTO. phase_layer is the layer that the
-    /// rule's phase counts from (an octagon's steps differ from layer to layer); so far that is
-    /// always 0, so a reader takes nothing else, and 0 where it is absent. A folder without
-    /// stack.json is no stack, so a call that fails leaves none in a folder that had none; over
-    /// sf_directory_write() it leaves nothing at all.
-    ///
-    /// - `grid`: the shape
-    /// - `info`: the rule it was made under, or NULL
-    /// - `folder`: where to; needs `begin` and `commit`
-    /// - `task`: NULL, or progress per layer and a cancel between layers
-    /// - `fault`: NULL, or filled on failure with the file that could not be written
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a rule, angle or bed layer that there
-    ///   is not; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: libspng refuses what it should
-    ///   take; or what the folder or its sinks returned.
-    /// - cost: one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib
-    ///   take some 300 KiB from the C library, because they know no other allocators.
-    /// - threads: any that only read the grid, on distinct folders.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_stack_write(
-        grid: *const sf_grid,
-        info: *const sf_stack_info,
-        folder: sf_folder,
-        task: *mut sf_task,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Read a stack back: the grid, its lattice, and the rule it was made under.
-    ///
-    /// Layers of materials (\<sf/layers.h\>) are read as what is solid. Pictures may also be grey
-    /// of 2 to 8 bits, as picture editors save them: half-way and above is solid. Before memory is
-    /// taken for the grid, every picture that stack.json claims must be there with the claimed
-    /// size. Fields of stack.json that are not known are passed over.
-    ///
-    /// - `folder`: where from; needs `open` and `close`
-    /// - `allocator`: for the grid and for reading; NULL for the C library's
-    /// - `task`: NULL, or progress per layer and a cancel between layers
-    /// - `grid`: where the new grid is left, to be destroyed by the caller; untouched on failure
-    /// - `info`: NULL, or where the rule is left; untouched on failure
-    /// - `fault`: NULL, or filled on failure: which file, what is wrong, what to do
-    /// - returns: SF_OK; SF_ERR_FORMAT: stack.json or a picture is damaged, or they disagree;
-    ///   SF_ERR_UNSUPPORTED: a version, rule or kind of picture that this build does not know, or a
-    ///   build without jansson, which reads no stacks; SF_ERR_OVERFLOW: larger than this machine
-    ///   addresses; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_ARGUMENT: a NULL pointer;
-    ///   SF_ERR_INTERNAL: libspng refuses what it should take; SF_ERR_IO: a source that claims more
-    ///   than it was asked for; or what the folder or its sources returned.
-    /// - cost: two opens of each picture, one pass over their bytes. jansson, libspng and zlib take
-    ///   memory from the C library, in proportion to stack.json (at most 64 MiB) and to a row.
-    /// - threads: any, on distinct folders; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_stack_read(
-        folder: sf_folder,
-        allocator: *const sf_allocator,
-        task: *mut sf_task,
-        grid: *mut *mut sf_grid,
-        info: *mut sf_stack_info,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Write a certificate as JSON, for sf-verify and whoever else wants to check it.
-    ///
-    /// docs/certificate.md says what each field holds. The last one is the SHA-256 of every byte
-    /// before it, so the file is to be kept as it is: the same JSON in other words is refused.
-    ///
-    /// - `certificate`: the certificate
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; or what the sink returned.
-    /// - cost: the length of the file; 12 KiB of stack, no memory.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_certificate_write(certificate: *const sf_certificate, sink: sf_sink) -> sf_status;
-
-    /// Write a colour picture as PNG, eight bits of red, green and blue a pixel.
-    ///
-    /// - `pixels`: 3 \* width \* height bytes: red, green, blue, row after row from the top
-    /// - `width`: 1..SF_EXTENT_MAX
-    /// - `height`: 1..SF_EXTENT_MAX
-    /// - `sink`: where the bytes go; on failure it may have had some
-    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer or a size outside its range;
-    ///   SF_ERR_UNSUPPORTED: a build without PNG; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses
-    ///   what it should take; or what the sink returned.
-    /// - cost: one pass, mostly in the compressor, which takes its memory from the C library.
-    /// - threads: any, on distinct sinks.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_png_write_rgb(pixels: *const u8, width: u32, height: u32, sink: sf_sink) -> sf_status;
-
-    /// Open a file for reading.
-    ///
-    /// - `path`: path of the file, as the C library takes it
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `file`: where the open file is left, to be closed by the caller; untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: it is not there, is a folder, or may not be read;
-    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_file_open(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        file: *mut *mut sf_file,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The source that reads an open file, from where it stands to its end.
-    ///
-    /// - `file`: the file; NULL gives a source without `read`
-    /// - returns: the source; valid until the file is closed. It returns SF_ERR_IO when the disk
-    ///   fails.
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_file_source(file: *mut sf_file) -> sf_source;
-
-    /// Close a file.
-    ///
-    /// - `file`: the file, freed; NULL does nothing
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_file_close(file: *mut sf_file);
-
-    /// Begin to write a file, without touching what stands at its path.
-    ///
-    /// The bytes go to a new file beside it, PATH.sf-PROCESS-NUMBER.tmp, until sf_save_commit()
-    /// renames that. A symbolic link at the path is replaced by the file, not followed.
-    ///
-    /// - `path`: path of the file; what stands there must be an ordinary file or nothing
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `save`: where the object is left, for sf_save_commit() or sf_save_abort(); untouched on
-    ///   failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: a folder or a device stands there, or no file can be made
-    ///   beside it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_save_begin(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        save: *mut *mut sf_save,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The sink that writes a file being saved.
-    ///
-    /// - `save`: the file; NULL gives a sink without `write`
-    /// - returns: the sink; valid until the commit or abort. After a failed write it takes nothing
-    ///   more.
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_save_sink(save: *mut sf_save) -> sf_sink;
-
-    /// Publish a file: sync it to the disk, rename it over its path, sync the folder.
-    ///
-    /// Whoever opens the path at any time finds the old file or the new one, whole; on failure the
-    /// old one, and the new one is gone. The new file has the access rights of the old.
-    ///
-    /// - `save`: the file; freed, whatever is returned
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: a write or the sync failed, or the path cannot be replaced;
-    ///   SF_ERR_ARGUMENT: NULL.
-    /// - cost: a sync of the disk.
-    /// - threads: one per file.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_save_commit(save: *mut sf_save, fault: *mut sf_fault) -> sf_status;
-
-    /// Drop a file being saved; what stands at its path stays.
-    ///
-    /// - `save`: the file, freed; NULL does nothing
-    /// - cost: constant.
-    /// - threads: one per file.
-    /// - since: 0.1
-    pub fn sf_save_abort(save: *mut sf_save);
-
-    /// Open a folder for reading its files.
-    ///
-    /// - `path`: path of the folder
-    /// - `allocator`: for the object and the files it opens; NULL for the C library's
-    /// - `directory`: where the object is left, for sf_directory_close(); untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: it is not there or no folder; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a
-    ///   NULL pointer or an empty path.
-    /// - cost: constant.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_read(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        directory: *mut *mut sf_directory,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// Begin to write a folder of files, without touching what stands at its path.
-    ///
-    /// The files go to a new folder beside it, PATH.sf-PROCESS-NUMBER.tmp, until
-    /// sf_directory_commit() renames that. Only an empty folder or an earlier stack is replaced: a
-    /// folder that holds stack.json, pictures named like layers, and nothing else.
-    ///
-    /// - `path`: path of the folder to be; its parent exists
-    /// - `allocator`: for the object; NULL for the C library's
-    /// - `directory`: where the object is left, for sf_directory_commit() or sf_directory_close();
-    ///   untouched on failure
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: something else stands there, or no folder can be made beside
-    ///   it; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer or an empty path.
-    /// - cost: the number of entries of the folder that stands there.
-    /// - threads: any; one at a time for each allocator.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_write(
-        path: *const c_char,
-        allocator: *const sf_allocator,
-        directory: *mut *mut sf_directory,
-        fault: *mut sf_fault,
-    ) -> sf_status;
-
-    /// The folder that a stack is read from or written to.
-    ///
-    /// File names are plain: no separators, no "..". Each file is synced to the disk as it is
-    /// committed.
-    ///
-    /// - `directory`: the folder; NULL gives a folder without functions
-    /// - returns: the folder; valid until the commit or close. One file is written at a time;
-    ///   `begin` returns SF_ERR_ARGUMENT for a second one, for a name that is not plain, and for a
-    ///   folder being read.
-    /// - cost: constant.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    pub fn sf_directory_folder(directory: *mut sf_directory) -> sf_folder;
-
-    /// Publish a folder: rename it to its path, in place of an empty folder or an earlier stack.
-    ///
-    /// An earlier stack is first renamed aside (PATH.sf-PROCESS-NUMBER.old) and removed when the
-    /// new one stands: a crash in between leaves both, whole. On failure the old one stays and the
-    /// new one is gone.
-    ///
-    /// - `directory`: a folder from sf_directory_write(); freed, whatever is returned
-    /// - `fault`: NULL, or filled on failure with the path and the reason
-    /// - returns: SF_OK; SF_ERR_IO: the path cannot be replaced, or now holds something else;
-    ///   SF_ERR_MEMORY; SF_ERR_ARGUMENT: NULL, or a folder being read.
-    /// - cost: a sync of the disk, and the number of files of an earlier stack.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    #[must_use]
-    pub fn sf_directory_commit(directory: *mut sf_directory, fault: *mut sf_fault) -> sf_status;
-
-    /// Close a folder being read, or drop one being written; what stands at its path stays.
-    ///
-    /// - `directory`: the folder, freed; NULL does nothing
-    /// - cost: for one being written, the number of its files; it needs no memory.
-    /// - threads: one per folder.
-    /// - since: 0.1
-    pub fn sf_directory_close(directory: *mut sf_directory);
 
     /// Whether this build reads glTF.
     ///
@@ -7963,6 +8284,217 @@ extern "C" {
         material_count: u32,
         density_g_cm3: *const f64,
         uses: *mut sf_material_use,
+    ) -> sf_status;
+
+    /// Bytes of an open file.
+    ///
+    /// - `file`: the file, which must stay open; not to be read through sf_file_source() meanwhile
+    /// - `bytes`: receives them
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_IO: it is no file that has a size,
+    ///   or the disk fails.
+    /// - cost: constant.
+    /// - threads: one per file.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_file_bytes(
+        file: *mut sf_file,
+        bytes: *mut sf_bytes,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Bytes of memory.
+    ///
+    /// - `memory`: data and size, not NULL, which must outlive the bytes; the position is not
+    ///   looked at
+    /// - returns: the bytes.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_memory_bytes(memory: *mut sf_memory_cursor) -> sf_bytes;
+
+    /// The default options: 128 of 255 is solid, pixels as the job says, 64 GiB and a million
+    /// layers.
+    ///
+    /// - returns: the options, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_job_options_default() -> sf_job_options;
+
+    /// Whether this build reads and writes SL1, which takes libspng and zlib; .photon is always
+    /// read.
+    ///
+    /// - returns: 1 when it does, else 0.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_job_has_sl1() -> c_int;
+
+    /// Open a job: everything but the pictures' pixels is read and checked.
+    ///
+    /// Which format it is the first bytes say. No name in it ever becomes a path, and no number is
+    /// believed before the bytes that it speaks of are there. What would make two readers see two
+    /// jobs is refused: entries that overlap or come twice, pictures of several sizes, layers that
+    /// are missing. An SL1 job says its pixels in prusaslicer.ini; where that is missing, pictures
+    /// of 1440 x 2560 are taken for the SL1's own (0.04725 mm), and others must be told of in the
+    /// options.
+    ///
+    /// - `bytes`: the file, which must stay
+    /// - `options`: NULL for sf_job_options_default()
+    /// - `allocator`: for the job and for reading; NULL for the C library's
+    /// - `job`: receives the job, for sf_job_close(); untouched on failure
+    /// - `fault`: NULL, or filled on failure: what is wrong, where, what to do
+    /// - returns: SF_OK; SF_ERR_FORMAT: the file is no job, or damaged; SF_ERR_UNSUPPORTED: an
+    ///   encrypted, 64-bit or newer one, several exposures a layer, a build without SL1, or pixels
+    ///   of no known size; SF_ERR_OVERFLOW: more than the options allow; SF_ERR_ARGUMENT: no bytes
+    ///   or job, options that cannot be; SF_ERR_MEMORY; SF_ERR_INTERNAL: libspng refuses what it
+    ///   should take; or what the bytes returned.
+    /// - cost: the directory, and the head of each picture; libspng takes its memory from the C
+    ///   library.
+    /// - threads: any, on distinct bytes; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_job_open(
+        bytes: sf_bytes,
+        options: *const sf_job_options,
+        allocator: *const sf_allocator,
+        job: *mut *mut sf_job,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The lattice of a job: its pixels, its layers and their heights; its corner is 0, 0, 0.
+    ///
+    /// - `job`: the job; NULL has a lattice of zeros
+    /// - returns: the lattice, by value; its heights_mm, if any, belong to the job.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_job_lattice(job: *const sf_job) -> sf_lattice;
+
+    /// What a job says of itself.
+    ///
+    /// - `job`: the job
+    /// - `info`: receives it
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_job_describe(job: *const sf_job, info: *mut sf_job_info) -> sf_status;
+
+    /// Decode a layer as it is exposed: solid where a pixel has at least the threshold.
+    ///
+    /// - `job`: the job
+    /// - `k`: the layer
+    /// - `slice`: written, of the job's nx and ny; on failure its voxels are not to be used
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: no job, no such layer, a slice that is none;
+    ///   SF_ERR_SHAPE: a slice of another size; SF_ERR_FORMAT: damaged, cut short, or more pixels
+    ///   than there are; SF_ERR_UNSUPPORTED: an interlaced picture; SF_ERR_MEMORY; SF_ERR_INTERNAL;
+    ///   or what the bytes returned.
+    /// - cost: one pass over its bytes and pixels.
+    /// - threads: one per job.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_job_read(
+        job: *mut sf_job,
+        k: u32,
+        slice: sf_slice,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Decode a layer as greys: colours count as bright as they look, and what is transparent is
+    /// black.
+    ///
+    /// - `job`: the job
+    /// - `k`: the layer
+    /// - `pixels`: written, a byte each, row 0 the lowest; on failure not to be used
+    /// - `row_bytes`: bytes from one row to the next, at least nx
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: as sf_job_read().
+    /// - cost: as sf_job_read().
+    /// - threads: one per job.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_job_read_grey(
+        job: *mut sf_job,
+        k: u32,
+        pixels: *mut u8,
+        row_bytes: usize,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Close a job; the bytes are the caller's.
+    ///
+    /// - `job`: the job, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one, and nobody else with this job.
+    /// - since: 0.1
+    pub fn sf_job_close(job: *mut sf_job);
+
+    /// Write an SL1 job again with the layers of a grid, and everything else byte for byte.
+    ///
+    /// Layers whose voxels are as they were are copied as they lie in the archive, and so is every
+    /// other entry: compressed bytes, dates, attributes, comments. A layer that differs becomes a
+    /// new picture under its name, 8 bits of grey, stored: what was added is 255, what was taken
+    /// away 0, with the dim rim around it, up to 8 pixels wide, that touches nothing which is left.
+    /// All other greys stay.
+    ///
+    /// - `job`: an SL1 job
+    /// - `grid`: the new layers, with the job's counts
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - `task`: NULL, or progress per layer; a cancel is honoured at every layer
+    /// - `changed`: receives the number of layers that differ; may be NULL
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no sink; SF_ERR_UNSUPPORTED: another
+    ///   format; SF_ERR_SHAPE: other counts; SF_ERR_OVERFLOW: more than 4 GiB; SF_ERR_CANCELLED; as
+    ///   sf_job_read(); or what the sink returned.
+    /// - cost: each layer is decoded once, those that differ once more and encoded; a layer of
+    ///   bytes and five of bits.
+    /// - threads: one per job.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_job_rewrite(
+        job: *mut sf_job,
+        grid: *const sf_grid,
+        sink: sf_sink,
+        task: *mut sf_task,
+        changed: *mut u32,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// The default settings: "job", 8 s, 35 s at first, 10 layers to fade.
+    ///
+    /// - returns: the settings, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_sl1_settings_default() -> sf_sl1_settings;
+
+    /// Write a grid as a new SL1 job: config.ini, prusaslicer.ini with the display, a PNG a layer.
+    ///
+    /// - `grid`: the layers; all heights but the first must be one
+    /// - `settings`: NULL for sf_sl1_settings_default()
+    /// - `allocator`: for a picture at a time; NULL for the C library's
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - `task`: NULL, or progress per layer; a cancel is honoured at every layer
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no sink, settings that cannot be;
+    ///   SF_ERR_UNSUPPORTED: layers of several heights, more than 65533, or a build without SL1;
+    ///   SF_ERR_OVERFLOW: more than 4 GiB; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL; or
+    ///   what the sink returned.
+    /// - cost: one pass, mostly in the compressor.
+    /// - threads: any that only read the grid.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_sl1_write(
+        grid: *const sf_grid,
+        settings: *const sf_sl1_settings,
+        allocator: *const sf_allocator,
+        sink: sf_sink,
+        task: *mut sf_task,
+        fault: *mut sf_fault,
     ) -> sf_status;
 
     /// Begin to write layers.
@@ -9823,4 +10355,175 @@ extern "C" {
     /// - threads: any, while no round runs.
     /// - since: 0.1
     pub fn sf_stand_stance(stand: *const sf_stand, index: usize) -> *const sf_stance;
+
+    /// Whether this build reads and writes 3MF.
+    ///
+    /// - returns: 1 where it has libzip, expat and zlib, else 0.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_threemf_is_served() -> c_int;
+
+    /// Read a 3MF file whole.
+    ///
+    /// Lengths become mm, whatever the file's unit. Components become items, one for each place
+    /// that an object takes. Textures, composites and mixtures of properties are passed over: what
+    /// they cover has no colour. Metadata, thumbnails, print tickets and elements that are not
+    /// known are passed over too.
+    ///
+    /// What unfolds is bounded: an XML part to 250 times its size in the archive and 1 MiB, all
+    /// parts together to `bytes_max`, components to 64 within one another and 100,000 items. A
+    /// DOCTYPE is refused, and so are names that lead out of the archive, two parts with one name,
+    /// objects that contain themselves, transforms that flatten, and numbers that are not finite.
+    ///
+    /// - `source`: the file, read to its end
+    /// - `limits`: NULL for sf_read_limits_default(); triangles and vertices of all objects
+    ///   together
+    /// - `allocator`: for the document and for reading; NULL for the C library's, which libzip and
+    ///   expat take in any case
+    /// - `document`: receives the document, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure: what is wrong, in which part and line of it
+    /// - returns: SF_OK; SF_ERR_FORMAT: no 3MF file, or a damaged one; SF_ERR_UNSUPPORTED: the file
+    ///   requires an extension that is not read, or the build reads no 3MF; SF_ERR_OVERFLOW: more
+    ///   than a limit; SF_ERR_MEMORY; SF_ERR_ARGUMENT: a NULL pointer; SF_ERR_IO: a source that
+    ///   claims more than it was asked for; or what the source returned.
+    /// - cost: the file is held in memory while it is read; one pass over what its parts unfold to.
+    /// - threads: any, on distinct sources; one at a time for each allocator.
+    /// - source: 3MF Consortium, "3MF Core Specification" 1.3, "Production Extension" 1.1,
+    ///   "Materials and Properties Extension" 1.2, "Slice Extension" 1.0.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_threemf_read(
+        source: sf_source,
+        limits: *const sf_read_limits,
+        allocator: *const sf_allocator,
+        document: *mut *mut sf_threemf,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// What a document holds.
+    ///
+    /// - `document`: the document; NULL holds nothing
+    /// - returns: a view, good until the document is destroyed.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_threemf_get_view(document: *const sf_threemf) -> sf_threemf_view;
+
+    /// One mesh of all that a document builds: parts and solid supports, in their places.
+    ///
+    /// - `document`: the document
+    /// - `limits`: NULL for sf_read_limits_default(); items repeat what they place
+    /// - `allocator`: for the mesh; NULL for the C library's
+    /// - `mesh`: receives the mesh, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_FORMAT: nothing is built that has an inside; SF_ERR_OVERFLOW: more
+    ///   than a limit, or a vertex that would not be finite; SF_ERR_UNSUPPORTED: triangles that
+    ///   only stand for slices, or a build without 3MF; SF_ERR_ARGUMENT: a NULL pointer;
+    ///   SF_ERR_MEMORY.
+    /// - cost: the size of the mesh.
+    /// - threads: any that read; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_threemf_merge(
+        document: *const sf_threemf,
+        limits: *const sf_read_limits,
+        allocator: *const sf_allocator,
+        mesh: *mut *mut sf_mesh,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Whether all that a document builds has slices: its parts and solid supports.
+    ///
+    /// - `document`: the document; NULL has none
+    /// - returns: 1 when each of them has a stack of slices, else 0.
+    /// - cost: the number of items.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_threemf_is_sliced(document: *const sf_threemf) -> c_int;
+
+    /// The slices of all that a document builds, in their places: parts and solid supports.
+    ///
+    /// What is inside is what the contours wind around, SF_CONTOUR_NONZERO: the specification's
+    /// fill, where holes turn the other way than what they are holes in. Contours of several items
+    /// stand beside one another in each layer, so their layers must have the same heights.
+    ///
+    /// - `document`: the document
+    /// - `allocator`: for the stack; NULL for the C library's
+    /// - `stack`: receives the stack, to be destroyed by the caller; untouched on failure
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_FORMAT: something that is built has no slices, a slice that is not
+    ///   above the one before, or a transform that tilts layers; SF_ERR_UNSUPPORTED: items whose
+    ///   layers have other heights, or a build without 3MF; SF_ERR_ARGUMENT: a NULL pointer,
+    ///   heights or points beyond 1e12 mm; SF_ERR_OVERFLOW: more than SF_LAYER_MAX layers;
+    ///   SF_ERR_MEMORY.
+    /// - cost: the points.
+    /// - threads: any that read; one at a time for each allocator.
+    /// - source: 3MF Consortium, "3MF Slice Extension" 1.0.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_threemf_contours(
+        document: *const sf_threemf,
+        allocator: *const sf_allocator,
+        stack: *mut *mut sf_contour_stack,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Free a document.
+    ///
+    /// - `document`: the document, freed; NULL does nothing
+    /// - cost: the number of its objects.
+    /// - threads: one, and nobody else with this document.
+    /// - since: 0.1
+    pub fn sf_threemf_destroy(document: *mut sf_threemf);
+
+    /// Nothing beside the objects.
+    ///
+    /// - returns: the extras, by value, with struct_size set.
+    /// - cost: constant.
+    /// - threads: any.
+    /// - since: 0.1
+    pub fn sf_threemf_extras_default() -> sf_threemf_extras;
+
+    /// Write a 3MF file: objects, their materials and colours, where they go, and what fills them.
+    ///
+    /// Coordinates are written in mm, as the fewest of 15 to 17 digits that read back as the same
+    /// double. Triangles with two equal corners are left out, because 3MF has none. A group whose
+    /// colours have names becomes base materials, another one a group of colours. Equal input gives
+    /// equal bytes. Everything but the volume is checked before the first byte is written.
+    ///
+    /// A volume's property is written as a stack of PNG pictures of 16 bits grey, 3D/volume_F_K.png
+    /// with the largest y on top, a function that makes values of them, and a property of the
+    /// object's volume data, in the namespace urn:libsf:property:1; fractions of materials are its
+    /// composite besides. Between the centres of voxels it is linear.
+    ///
+    /// - `what`: objects with triangles, their colours, and items; `stack` of each is
+    ///   SF_THREEMF_NONE. Colours of a triangle are of one group, or all SF_THREEMF_NONE; base
+    ///   materials do not vary within a triangle
+    /// - `extras`: NULL for sf_threemf_extras_default()
+    /// - `sink`: where the bytes go; on failure it may have had some
+    /// - `allocator`: for the compressor, the directory and a layer; NULL for the C library's
+    /// - `task`: NULL, or progress per layer of a volume and a cancel between layers
+    /// - `fault`: NULL, or filled on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, what sf_mesh_validate() or
+    ///   sf_lattice_validate() says, an object without a triangle of three corners, a number that
+    ///   names nothing, a name that is no UTF-8, a map that flattens, a thumbnail that is no PNG;
+    ///   SF_ERR_UNSUPPORTED: slices, a volume in a build without PNG, or a build without 3MF;
+    ///   SF_ERR_OVERFLOW: more than 4 GiB in the archive or in a part of it (some 40 million
+    ///   triangles), or 65,000 layers; SF_ERR_MEMORY; SF_ERR_CANCELLED; SF_ERR_INTERNAL: a
+    ///   compressor refuses what it should take; or what the sink or `layer` returned.
+    /// - cost: one pass to check and one to write, mostly in the compressor; some 300 KiB, and 2
+    ///   bytes for each voxel of a layer of a volume.
+    /// - threads: any, on distinct sinks; one at a time for each allocator.
+    /// - source: 3MF Consortium, "3MF Core Specification" 1.3, "Volumetric Extension" 0.8.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_threemf_write(
+        what: *const sf_threemf_view,
+        extras: *const sf_threemf_extras,
+        sink: sf_sink,
+        allocator: *const sf_allocator,
+        task: *mut sf_task,
+        fault: *mut sf_fault,
+    ) -> sf_status;
 }

@@ -370,6 +370,38 @@ impl StanceKind {
     }
 }
 
+/// What a set of polygons has inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ContourFill {
+    /// what the polygons wind around, as their turns sum up: not 0
+    Nonzero,
+    /// what an odd number of polygons encloses
+    EvenOdd,
+    /// a number that has no name here
+    Other(i32),
+}
+
+impl ContourFill {
+    #[allow(dead_code)]
+    pub(crate) fn c(self) -> sys::sf_contour_fill {
+        match self {
+            ContourFill::Nonzero => sys::SF_CONTOUR_NONZERO,
+            ContourFill::EvenOdd => sys::SF_CONTOUR_EVEN_ODD,
+            ContourFill::Other(number) => number,
+        }
+    }
+
+    #[allow(dead_code)]
+    pub(crate) fn of(c: sys::sf_contour_fill) -> ContourFill {
+        match c {
+            sys::SF_CONTOUR_NONZERO => ContourFill::Nonzero,
+            sys::SF_CONTOUR_EVEN_ODD => ContourFill::EvenOdd,
+            number => ContourFill::Other(number),
+        }
+    }
+}
+
 /// Which voxels below can carry a voxel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -558,6 +590,58 @@ impl Operation {
     }
 }
 
+/// Mesh file formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum MeshFormat {
+    /// reading only: judge by the bytes
+    Auto,
+    /// text and binary in, binary out
+    Stl,
+    /// in and out
+    Obj,
+    /// text and both binary orders in, binary little-endian out
+    Ply,
+    /// text, in only
+    Off,
+    /// .3mf in and out, where [`sf_threemf_is_served()`](crate::sys::sf_threemf_is_served): \<sf/threemf.h\>
+    Threemf,
+    /// .glb and .gltf in, where [`sf_gltf_is_served()`](crate::sys::sf_gltf_is_served); .glb out: \<sf/gltf.h\>
+    Gltf,
+    /// a number that has no name here
+    Other(i32),
+}
+
+impl MeshFormat {
+    #[allow(dead_code)]
+    pub(crate) fn c(self) -> sys::sf_mesh_format {
+        match self {
+            MeshFormat::Auto => sys::SF_MESH_FORMAT_AUTO,
+            MeshFormat::Stl => sys::SF_MESH_FORMAT_STL,
+            MeshFormat::Obj => sys::SF_MESH_FORMAT_OBJ,
+            MeshFormat::Ply => sys::SF_MESH_FORMAT_PLY,
+            MeshFormat::Off => sys::SF_MESH_FORMAT_OFF,
+            MeshFormat::Threemf => sys::SF_MESH_FORMAT_THREEMF,
+            MeshFormat::Gltf => sys::SF_MESH_FORMAT_GLTF,
+            MeshFormat::Other(number) => number,
+        }
+    }
+
+    #[allow(dead_code)]
+    pub(crate) fn of(c: sys::sf_mesh_format) -> MeshFormat {
+        match c {
+            sys::SF_MESH_FORMAT_AUTO => MeshFormat::Auto,
+            sys::SF_MESH_FORMAT_STL => MeshFormat::Stl,
+            sys::SF_MESH_FORMAT_OBJ => MeshFormat::Obj,
+            sys::SF_MESH_FORMAT_PLY => MeshFormat::Ply,
+            sys::SF_MESH_FORMAT_OFF => MeshFormat::Off,
+            sys::SF_MESH_FORMAT_THREEMF => MeshFormat::Threemf,
+            sys::SF_MESH_FORMAT_GLTF => MeshFormat::Gltf,
+            number => MeshFormat::Other(number),
+        }
+    }
+}
+
 /// Which weights points inside of a solid get.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -618,54 +702,6 @@ impl VoidKind {
             sys::SF_VOID_TRAP => VoidKind::Trap,
             sys::SF_VOID_CUP => VoidKind::Cup,
             number => VoidKind::Other(number),
-        }
-    }
-}
-
-/// Mesh file formats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum MeshFormat {
-    /// reading only: judge by the bytes
-    Auto,
-    /// text and binary in, binary out
-    Stl,
-    /// in and out
-    Obj,
-    /// text and both binary orders in, binary little-endian out
-    Ply,
-    /// text, in only
-    Off,
-    /// .glb and .gltf in, where [`sf_gltf_is_served()`](crate::sys::sf_gltf_is_served); .glb out: \<sf/gltf.h\>
-    Gltf,
-    /// a number that has no name here
-    Other(i32),
-}
-
-impl MeshFormat {
-    #[allow(dead_code)]
-    pub(crate) fn c(self) -> sys::sf_mesh_format {
-        match self {
-            MeshFormat::Auto => sys::SF_MESH_FORMAT_AUTO,
-            MeshFormat::Stl => sys::SF_MESH_FORMAT_STL,
-            MeshFormat::Obj => sys::SF_MESH_FORMAT_OBJ,
-            MeshFormat::Ply => sys::SF_MESH_FORMAT_PLY,
-            MeshFormat::Off => sys::SF_MESH_FORMAT_OFF,
-            MeshFormat::Gltf => sys::SF_MESH_FORMAT_GLTF,
-            MeshFormat::Other(number) => number,
-        }
-    }
-
-    #[allow(dead_code)]
-    pub(crate) fn of(c: sys::sf_mesh_format) -> MeshFormat {
-        match c {
-            sys::SF_MESH_FORMAT_AUTO => MeshFormat::Auto,
-            sys::SF_MESH_FORMAT_STL => MeshFormat::Stl,
-            sys::SF_MESH_FORMAT_OBJ => MeshFormat::Obj,
-            sys::SF_MESH_FORMAT_PLY => MeshFormat::Ply,
-            sys::SF_MESH_FORMAT_OFF => MeshFormat::Off,
-            sys::SF_MESH_FORMAT_GLTF => MeshFormat::Gltf,
-            number => MeshFormat::Other(number),
         }
     }
 }
@@ -1978,6 +2014,17 @@ impl Finding {
             box_: VoxelBox::of(&c.box_),
         }
     }
+
+    pub(crate) fn c(&self) -> sys::sf_finding {
+        sys::sf_finding {
+            kind: self.kind.c(),
+            layer: self.layer,
+            cause: self.cause.unwrap_or(u32::MAX),
+            area: self.area,
+            volume: self.volume,
+            box_: self.box_.c(),
+        }
+    }
 }
 
 /// Counts of a check.
@@ -2311,6 +2358,13 @@ impl FindingCost {
             grow_voxels: (c.grow_voxels != u64::MAX).then_some(c.grow_voxels),
         }
     }
+
+    pub(crate) fn c(&self) -> sys::sf_finding_cost {
+        sys::sf_finding_cost {
+            trim_voxels: self.trim_voxels,
+            grow_voxels: self.grow_voxels.unwrap_or(u64::MAX),
+        }
+    }
 }
 
 /// A void that has no way out but, if any, upwards.
@@ -2394,34 +2448,6 @@ pub struct Voxel {
 // The fields are those of C, in their order.
 unsafe impl Plain for Voxel {
     type C = sys::sf_voxel;
-}
-
-/// What is known of a path beside its voxels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct PathReport {
-    /// voxels of the path: neither the one asked about nor matter below
-    pub count: usize,
-    /// what it ends on
-    pub end: PathEnd,
-    /// the matter below its last voxel; else its last voxel itself, which is the one asked about where the path is empty
-    pub landing: Voxel,
-    /// as told above
-    pub cost: u64,
-    /// on the bed: squared distance of its last voxel to the closest matter of the bed slice, in voxels; 0 else, and where that slice is empty
-    pub bed_square: u64,
-}
-
-impl PathReport {
-    #[allow(dead_code)]
-    pub(crate) fn of(c: &sys::sf_path) -> PathReport {
-        PathReport {
-            count: c.count,
-            end: PathEnd::of(c.end),
-            landing: crate::plain::of(&c.landing),
-            cost: c.cost,
-            bed_square: c.bed_square,
-        }
-    }
 }
 
 /// Counts of [`sf_grid_emit()`](crate::sys::sf_grid_emit).

@@ -89,6 +89,21 @@ macro_rules! words {
     (sf_cage_map_values: channel) => {
         "Set all values of a property by a function of the places of their points.\n\n- `channel`: which property; a value that several corners name gets that of the last one's place\n- cost: O(points and corners).\n- threads: one for each cage.\n- in C: [`sf_cage_map_values()`](crate::sys::sf_cage_map_values)"
     };
+    (sf_cage_read) => {
+        "Read a cage from any source of bytes.\n\nCoordinates are taken as they are, as mm. Where a file has cells, its faces are passed over; where it has none, its faces are the cage, of dimension 2. A cell that is inverted at every one of its corners, as the wedges of one half of all programs are, is turned: its lower polygon becomes the upper one. Cells that are inverted in part are left to [`sf_cage_check()`](crate::sys::sf_cage_check); faces are never turned. A cell is numbered, in sentences too, among the cells that the cage has, from 0.\n\n- Medit: Vertices, Tetrahedra, Prisms (or Wedges, or Pentahedra), Hexahedra, Triangles and Quadrilaterals; Corners become sharp points, the Edges that Ridges names become creases, both sharp for ever. Where the references of cells are not all the same, they become the property \"reference\", one value for each cell. Other sections of the format are passed over.\n- MFEM: elements, vertices or nodes. Of nodes, the points are taken: what is curved between them is not kept. Attributes become the property \"attribute\", as references do. Meshes with hanging nodes are refused: faces that meet half a face have no common limit.\n- VTK: versions 2.0 to 5.1. Tetrahedra, wedges, hexahedra, voxels, prisms over five and six corners; triangles, quads, pixels and polygons. Point data and cell data with one component are properties under their names; cell data become one value for each cell. Data of several components are passed over. What [`sf_cage_write_vtk()`](crate::sys::sf_cage_write_vtk) has written comes back as it was.\n\nA property of a foreign file has no unit, no bounds, and a UUID that is made of its name (version 8 of RFC 9562: the first 128 bits of the SHA-256 of \"libsf property \" and the name).\n\nNo count in a file is believed: memory grows as the bytes come. Refused are pyramids, elements with curved edges of their own, a cell whose type disagrees with its number of corners, corners that name no point, numbers that are not finite, files that are cut short, and what [`sf_cage_create()`](crate::sys::sf_cage_create) refuses; where hanging nodes are the reason for that, the sentence names one. To stop early, let the source return [`SF_ERR_CANCELLED`](crate::sys::SF_ERR_CANCELLED).\n\n- cost: one pass over the file; memory for about three times the cage.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: P. Frey, \"MEDIT: An interactive mesh visualization software\", 2001; the MFEM project, \"MFEM mesh formats\"; Kitware, \"VTK file formats\", legacy.\n- in C: [`sf_cage_read()`](crate::sys::sf_cage_read)"
+    };
+    (sf_cage_read_options) => {
+        "What a reader expects and takes at most. Fill with [`sf_cage_read_options_default()`](crate::sys::sf_cage_read_options_default)."
+    };
+    (sf_cage_read_options.bytes_max) => {
+        "Most bytes read from the source."
+    };
+    (sf_cage_read_options.corners_max) => {
+        "Most corners of all cells; beyond [`SF_CAGE_POINT_MAX`](crate::sys::SF_CAGE_POINT_MAX) it is that."
+    };
+    (sf_cage_read_options.points_max) => {
+        "Most points; beyond [`SF_CAGE_POINT_MAX`](crate::sys::SF_CAGE_POINT_MAX) it is that."
+    };
     (sf_cage_remove_property: channel) => {
         "Remove a property; those after it move up.\n\n- `channel`: number of the property, counted from 0\n- cost: constant.\n- threads: one for each cage.\n- in C: [`sf_cage_remove_property()`](crate::sys::sf_cage_remove_property)"
     };
@@ -109,6 +124,9 @@ macro_rules! words {
     };
     (sf_cage_view.dimension) => {
         "3: cells; 2: faces."
+    };
+    (sf_cage_write_vtk) => {
+        "Write a cage, or a refined one, as a legacy VTK file, version 3.0, that ParaView opens.\n\nA property is data of points; one that is the same at all corners of each cell, by its indices, is data of cells. Where a property jumps, a point is written once for each set of values that its corners have: first all points in their order, then the other copies. Then the data of points \"sf_point\" say which point each one is a copy of. What VTK has no place for are fields of the grid: \"sf_creases\", rows of two points and a sharpness; \"sf_sharps\", rows of a point and a sharpness; \"[`sf_property`](crate::sys::sf_property):NAME\", of each property, 27 numbers: the bytes of its UUID, the exponents of its unit, then 1 and the low bound or 0 and 0, and the same for the high bound. In names, blanks, % and quotation marks are written as VTK does, % and two digits.\n\n[`sf_cage_read()`](crate::sys::sf_cage_read) makes the same cage of it: the same points, cells and sharp things, and at every corner the same value; corners of a point that have the same value then name the same one. Numbers read back as the same doubles; a zero with a sign loses it in text. A sharpness beyond [`SF_SHARP`](crate::sys::SF_SHARP) is written as that.\n\n- cost: one pass to check, one to write; where a property jumps, 12 bytes for each point and 16 for each corner.\n- threads: any, on distinct sinks; one at a time for each allocator.\n- source: Kitware, \"VTK file formats\", legacy.\n- in C: [`sf_cage_write_vtk()`](crate::sys::sf_cage_write_vtk)"
     };
     (sf_carve_options.density) => {
         "What 1 mm3 of each voxel weighs, above 0, in (layer, y, x) order; NULL (default): 1. What is not solid is not looked at."
@@ -131,6 +149,66 @@ macro_rules! words {
     (sf_carve_options.strut_width_vx) => {
         "Support-free: struts are squares of that many voxels where there is room, 1 to [`SF_REACH_MAX`](crate::sys::SF_REACH_MAX); 2 by default."
     };
+    (sf_certificate) => {
+        "A certificate; owns its memory, and refers to no grid."
+    };
+    (sf_certificate_get_view) => {
+        "What a certificate says.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_certificate_get_view()`](crate::sys::sf_certificate_get_view)"
+    };
+    (sf_certificate_make) => {
+        "Certify that a shape is support-free but for exempt voxels, after looking at every layer of it.\n\nThe claim's angle and spans must be those that the rule in its terms was made from: the rule is made again, and its integers compared.\n\n- cost: a trim, two fingerprints, and with bridges a walk along each gap.\n- threads: any; grids are only read.\n- source: a field that the layer rule's own step reproduces proves the shape support-free, for every rule that is monotone.\n- in C: [`sf_certificate_make()`](crate::sys::sf_certificate_make)"
+    };
+    (sf_certificate_view) => {
+        "All that a certificate says. Arrays belong to the certificate."
+    };
+    (sf_certificate_view.added_voxels) => {
+        "In the shape, not in the input."
+    };
+    (sf_certificate_view.angle_rad) => {
+        "Its angle; 0 for box3."
+    };
+    (sf_certificate_view.bed) => {
+        "Layer that rests on the bed; nz: no matter."
+    };
+    (sf_certificate_view.bridge_anchor_mm) => {
+        "Carried matter at both ends of one, in mm."
+    };
+    (sf_certificate_view.bridge_span_mm) => {
+        "Its bridges in mm; 0: none."
+    };
+    (sf_certificate_view.exempt) => {
+        "Maximal runs of solid exempt voxels, from the lowest layer up, row by row; label: the layer."
+    };
+    (sf_certificate_view.input_sha256) => {
+        "Fingerprint of what the operation began with."
+    };
+    (sf_certificate_view.input_voxels) => {
+        "Solid voxels of the input."
+    };
+    (sf_certificate_view.lattice) => {
+        "Where it lies; layer 0 is where the rule's schedule begins."
+    };
+    (sf_certificate_view.output_sha256) => {
+        "Fingerprint of the shape."
+    };
+    (sf_certificate_view.output_voxels) => {
+        "Solid voxels of the shape."
+    };
+    (sf_certificate_view.removed_voxels) => {
+        "In the input, not in the shape."
+    };
+    (sf_certificate_view.spans) => {
+        "Gaps that bridges span."
+    };
+    (sf_certificate_view.steps) => {
+        "Integers of each step."
+    };
+    (sf_certificate_view.tangent) => {
+        "The tangent that its integers come from; or 0."
+    };
+    (sf_certificate_write) => {
+        "Write a certificate as JSON, for sf-verify and whoever else wants to check it.\n\ndocs/certificate.md says what each field holds. The last one is the SHA-256 of every byte before it, so the file is to be kept as it is: the same JSON in other words is refused.\n\n- cost: the length of the file; 12 KiB of stack, no memory.\n- threads: any, on distinct sinks.\n- in C: [`sf_certificate_write()`](crate::sys::sf_certificate_write)"
+    };
     (sf_channel) => {
         "The values of one property over a mesh."
     };
@@ -146,11 +224,44 @@ macro_rules! words {
     (sf_checker_push) => {
         "Push the next layer as bits.\n\nFindings of the layer are in the array when the call returns, in the order in which their regions end: by last row, then from left to right in that row. Volumes and boxes of earlier findings may have grown.\n\n- cost: a step of the rule, two where matter was lost below (under slack, as long as it tells), and in lost matter its voxels times the rows of the element; whatever the size, up to 9 KiB of stack, 6 on a processor of 32 bits.\n- threads: one per checker.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, section 3.2.\n- in C: [`sf_checker_push()`](crate::sys::sf_checker_push)"
     };
+    (sf_checker_push_contours: lattice, contours) => {
+        "Push the next layer as contours: closed polygons of \\<sf/contour.h\\>.\n\n- `lattice`: of the checker's width and height; pitch and origin are looked at\n- `contours`: the polygons\n- cost: as both.\n- threads: one per checker.\n- in C: [`sf_checker_push_contours()`](crate::sys::sf_checker_push_contours)"
+    };
     (sf_checker_push_grey: row_bytes, threshold) => {
         "Push the next layer as 8-bit rows: solid where the value is at least `threshold`.\n\n- `row_bytes`: bytes from one row to the next, at least the width\n- `threshold`: 1 to 255; 0 makes everything solid\n- cost: as [`sf_checker_push()`](crate::sys::sf_checker_push), and two passes over the pixels.\n- threads: one per checker.\n- in C: [`sf_checker_push_grey()`](crate::sys::sf_checker_push_grey)"
     };
+    (sf_checker_push_runs: runs) => {
+        "Push the next layer as runs.\n\n- `runs`: row by row, left to right, not overlapping but free to touch; labels are ignored; may be NULL where count is 0\n- cost: as [`sf_checker_push()`](crate::sys::sf_checker_push), and O(count).\n- threads: one per checker.\n- in C: [`sf_checker_push_runs()`](crate::sys::sf_checker_push_runs)"
+    };
     (sf_checker_report) => {
         "Counts so far.\n\n- cost: constant.\n- threads: one per checker.\n- in C: [`sf_checker_report()`](crate::sys::sf_checker_report)"
+    };
+    (sf_contour_stack) => {
+        "Layers of contours with their heights; it owns its memory."
+    };
+    (sf_contour_stack_add: top_mm) => {
+        "Add a layer on top: it reaches from the top of the one below to `top_mm`.\n\n- `top_mm`: above the stack's top so far\n- cost: the points.\n- threads: one per stack.\n- in C: [`sf_contour_stack_add()`](crate::sys::sf_contour_stack_add)"
+    };
+    (sf_contour_stack_count) => {
+        "Number of layers.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_contour_stack_count()`](crate::sys::sf_contour_stack_count)"
+    };
+    (sf_contour_stack_create: bottom_mm) => {
+        "Make a stack without layers.\n\n- `bottom_mm`: height of the lowest layer's underside\n- cost: constant.\n- threads: any; one at a time for each allocator.\n- in C: [`sf_contour_stack_create()`](crate::sys::sf_contour_stack_create)"
+    };
+    (sf_contour_stack_lattice) => {
+        "A lattice that holds all contours of a stack, one layer each.\n\nIts corner is the least x, y and z; it ends at the first voxel beyond the greatest.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_contour_stack_lattice()`](crate::sys::sf_contour_stack_lattice)"
+    };
+    (sf_contour_stack_layer: k) => {
+        "The contours of a layer and its heights.\n\n- `k`: the layer, below [`sf_contour_stack_count()`](crate::sys::sf_contour_stack_count)\n- cost: constant.\n- threads: any.\n- in C: [`sf_contour_stack_layer()`](crate::sys::sf_contour_stack_layer)"
+    };
+    (sf_contour_stack_trace: top_mm, slice, lattice) => {
+        "Trace the border of a slice's voxels and add it as the next layer.\n\nEach contour runs along the sides of voxels with matter on its left: around a piece it turns to the left, around a hole to the right. Pieces that meet in a corner only stay apart. Points are where it turns, so drawing the layer again, under either fill, gives the same voxels.\n\n- `top_mm`: above the stack's top so far\n- `slice`: the slice, of the lattice's nx and ny\n- `lattice`: where voxels lie: nx, ny, pitch and origin are looked at\n- cost: a pass over the slice, and the length of the border in voxels; a slice of memory while it works.\n- threads: one per stack.\n- in C: [`sf_contour_stack_trace()`](crate::sys::sf_contour_stack_trace)"
+    };
+    (sf_contours) => {
+        "A view of the closed polygons of one layer.\n\nContour i has the points starts\\[i\\] to starts\\[i + 1\\] - 1, and its last point is joined to its first. Fewer than three points enclose nothing. A first point that is said again at the end does no harm."
+    };
+    (sf_contours_area_mm2) => {
+        "Signed area of contours: what turns to the left counts, what turns to the right is taken away.\n\nFor contours that cross nothing and whose holes turn the other way it is the area inside, under either fill.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_contours_area_mm2()`](crate::sys::sf_contours_area_mm2)"
     };
     (sf_curve) => {
         "A monotone function through measurements."
@@ -215,6 +326,21 @@ macro_rules! words {
     (sf_drain_options.void_min) => {
         "Voids of fewer voxels get none; 0 by default."
     };
+    (sf_element) => {
+        "A structuring element that is symmetric in x and in y and convex along rows.\n\nOffset (dx, dy) belongs to it when |dy| \\<= reach_y and |dx| \\<= half_width\\[|dy|\\]; half_width never grows with |dy|. A single voxel, the plus, the 3x3 square, ellipses and Minkowski sums of these are of this kind."
+    };
+    (sf_element_box3) => {
+        "The 3x3 square.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_element_box3()`](crate::sys::sf_element_box3)"
+    };
+    (sf_element_ellipse: rx_q16, ry_q16) => {
+        "Lattice points of the ellipse (dx / rx)^2 + (dy / ry)^2 \\<= 1, with radii in 1/65536 voxel.\n\nExact: no point is lost or won by rounding. A radius below a voxel gives no reach on its axis.\n\n- `rx_q16`: radius along x, in 1/65536 voxel\n- `ry_q16`: radius along y, in 1/65536 voxel\n- cost: O(rx + ry), in voxels.\n- threads: any.\n- in C: [`sf_element_ellipse()`](crate::sys::sf_element_ellipse)"
+    };
+    (sf_element_plus3) => {
+        "The plus: a voxel and its four edge neighbours.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_element_plus3()`](crate::sys::sf_element_plus3)"
+    };
+    (sf_element_sum) => {
+        "Minkowski sum of two elements: dilating by it is dilating by one and then by the other.\n\n- cost: the product of both reaches along y.\n- threads: any.\n- in C: [`sf_element_sum()`](crate::sys::sf_element_sum)"
+    };
     (sf_exchange_is_served) => {
         "Whether this build reads and writes exchange files.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_exchange_is_served()`](crate::sys::sf_exchange_is_served)"
     };
@@ -223,6 +349,15 @@ macro_rules! words {
     };
     (sf_exchange_write) => {
         "Write tetrahedra as an exchange file: the same bytes for the same tetrahedra.\n\n- cost: the compressor's; the file is held in memory, twice for a while, from the C library.\n- threads: one at a time in a process, whatever uses libhdf5 included.\n- source: C. Altenhofen and others, \"Continuous property gradation for multi-material 3D-printed objects\", 2018, \"Export and storage format\".\n- in C: [`sf_exchange_write()`](crate::sys::sf_exchange_write)"
+    };
+    (sf_findings_cost: grid, terms, added) => {
+        "What fixing each finding of a check costs: voxels that a trim takes, voxels that growing adds.\n\ngrow_voxels is the size of a set of voxels that fixes the finding: once it is added every voxel of the finding's region is carried, and every voxel of the set by another or by the shape as drawn, down to the bed. So with the sets of all findings added the whole shape is support-free, and the sum of the costs bounds what repair by growth alone adds. The set is found greedily, so the figure is an upper bound; it is least where a region is one voxel and the rule is box3, octagon or disk. Matter below counts as a place to stand on even where it is lost itself: what it needs is the cost of its own finding.\n\nUnder slack the chains count on no reach but that of the step itself, and no rule's chains make use of bridges; both make the figure larger, never wrong.\n\n- `grid`: the shape\n- `terms`: rule and bed layer that the check had; voxels of `forbid`, and those outside `act`, are not added; `exempt` and `keep` are not looked at\n- `added`: NULL, or a grid that is set to all voxels that the sets hold together; neither the shape nor a mask\n- cost: 4 \\* reach passes over two bytes a voxel, and for each finding its region and what stands below it, not the rectangles around them, times the element and the logarithm of their sizes.\n- threads: any; the grids but `added` are only read.\n- source: the costs are the closest supporting paths of T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, section 2.2, without the distance to the ground; V. Chvatal, \"A Greedy Heuristic for the Set-Covering Problem\", 1979.\n- in C: [`sf_findings_cost()`](crate::sys::sf_findings_cost)"
+    };
+    (sf_findings_rank: costs) => {
+        "Order of findings by what they cost to fix: the dearest first.\n\nThe cost to fix a finding is the lesser of its two; of equal costs those come first that no other finding causes, then those with the lower index.\n\n- `costs`: their costs, or NULL\n- cost: n log n; no memory.\n- threads: any that write to distinct arrays.\n- in C: [`sf_findings_rank()`](crate::sys::sf_findings_rank)"
+    };
+    (sf_gltf_write) => {
+        "Write a mesh as binary glTF, with a colour for each vertex or without.\n\nPositions are floats in mm; a node turns them to glTF's axes and metres. What [`sf_gltf_read()`](crate::sys::sf_gltf_read) makes of the file is the same floats again. Colours are given as they are shown on a screen (sRGB) and written as light (linear, 16 bits), which is how glTF has them. The material is matt and seen from both sides.\n\n- cost: one pass to check, one to write; 8 KiB of stack, no memory.\n- threads: any, on distinct sinks.\n- source: The Khronos Group, \"glTF 2.0 Specification\", 2021; IEC 61966-2-1, \"sRGB\", 1999.\n- in C: [`sf_gltf_write()`](crate::sys::sf_gltf_write)"
     };
     (sf_grid) => {
         "A stack of slices that owns its memory."
@@ -257,6 +392,9 @@ macro_rules! words {
     (sf_grid_drain: terms) => {
         "Drill a hole into every void that is closed, in place: what is in it can leave.\n\nA void is closed when its empty voxels, connected through faces, touch no side of the grid, nor its top or bottom: the bed is open once the part is off it. Its holes start where a disk of the diameter fits into it, and go straight down until all of the disk is in the open, the holes of other voids included; voids that they pass through are open then too. Where none may be drilled straight, holes go down aslant, in eight directions, as flat as the rule lets ceilings be. Of all places the one is taken whose volume, times its distance from the centre of mass across up where there are stances (the largest of them), is least.\n\nWith terms no hole is drilled that leaves anything unsupported that was supported before it, exempt voxels included, that takes a voxel of `keep`, or one outside `act`; and no void is filled that reaches into `forbid`, or out of `act`. Where no place will do, a hole may take with it what would hang around its lower end, as long as that is no more than a quarter of the hole.\n\n- `terms`: rule, bed layer and masks; NULL: nothing needs support\n- cost: for each hole, and each place that was tried in vain, at most 64 for a void, a trim.\n- threads: one per grid.\n- in C: [`sf_grid_drain()`](crate::sys::sf_grid_drain)"
     };
+    (sf_grid_emit) => {
+        "Put a brush on every voxel of a path, and leave out of it what would hang in the air.\n\nWhat was solid stays, whatever carries it. What is added is carried, by what was there or by what is added; so the result is support-free if the shape was. The path itself is always added, with or without the brush's anchor.\n\n- cost: the brush's rows for each voxel of the path, and a trim of the layers it meets; under slack of all layers up to there.\n- threads: one per grid.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, section 2.2 (grow); that what is added must be trimmed is the library's own.\n- in C: [`sf_grid_emit()`](crate::sys::sf_grid_emit)"
+    };
     (sf_grid_equal) => {
         "Whether two grids have the same counts and the same solid voxels; lengths are not compared.\n\n- cost: one pass, up to the first row that differs.\n- threads: any.\n- in C: [`sf_grid_equal()`](crate::sys::sf_grid_equal)"
     };
@@ -265,6 +403,9 @@ macro_rules! words {
     };
     (sf_grid_foot: up, height_mm) => {
         "The foot of a solid: its voxels that lie lowest, seen against a direction.\n\n- `up`: the direction that points up, of any length from 1e-100 to 1e100; +z is not special\n- `height_mm`: how far above the lowest centre of a voxel the centres of the foot may lie; at least 0\n- cost: two passes over the solid voxels.\n- threads: any; one at a time for each allocator.\n- in C: [`sf_grid_foot()`](crate::sys::sf_grid_foot)"
+    };
+    (sf_grid_from_contours: lattice) => {
+        "Draw a stack into a new grid, layer by layer.\n\n- `lattice`: where voxels lie, with as many layers as the stack; heights and z are copied, but not compared\n- cost: [`sf_slice_from_contours()`](crate::sys::sf_slice_from_contours) for each layer.\n- threads: any that read; one at a time for each allocator.\n- in C: [`sf_grid_from_contours()`](crate::sys::sf_grid_from_contours)"
     };
     (sf_grid_grow) => {
         "Add what a shape lacks to be support-free, in place; nothing is removed.\n\nFrom the top down: in each layer the voxels that nothing carries are given supporters below, those from which the way to matter or to the bed is shortest, and among these those that carry most; no supporter is kept without which all would be carried. What is added is little, but not the least there is: that is a hard problem even in one layer. Exempt voxels need no support, and what bridges keep alive needs none. The result is checked under the whole rule before the grid is written.\n\n- cost: a map of costs (voxels times those of the element), and for each voxel without support and for each one added the voxels of the element.\n- threads: one per grid.\n- in C: [`sf_grid_grow()`](crate::sys::sf_grid_grow)"
@@ -298,6 +439,9 @@ macro_rules! words {
     };
     (sf_grid_trim) => {
         "Remove everything that is not supported, in place: what is left is the largest support-free part.\n\nFrom the bottom up: T_bed = S_bed, and T_{k+1} is what of S_{k+1} the rule lets rest on T_k; matter below the bed layer is removed. The result contains every support-free part of the shape, so no order of other removals keeps more, and trimming again changes nothing.\n\n- cost: one pass over the grid for box3 and octagon up to reach 1; about 4 \\* reach passes for others; under slack some fifty passes at a surface and few inside; with bridges, in layers where something hangs, some twenty passes over a window around it.\n- threads: one per grid.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, sections 2.2 and 3.2.\n- in C: [`sf_grid_trim()`](crate::sys::sf_grid_trim)"
+    };
+    (sf_grid_trim_box: box) => {
+        "Bring `printable` = trim(`drawn`) up to date after `drawn` changed within `box`.\n\nBefore the change `printable` was the trim of `drawn`, by the same rule and bed layer; after this call it is again, bit for bit what [`sf_grid_trim()`](crate::sys::sf_grid_trim) of `drawn` gives. Under slack everything is trimmed anew, because what a voxel has to spare is not kept. Else only what can have changed is looked at: the box, and above it what rests on voxels that did change, up to the first layer where none did. Matter may have been added and removed; parts that were trimmed earlier come back where there is support for them now.\n\n`drawn` and `printable` may be one grid, if the change only removed matter and the grid was support-free before it.\n\nWhere bed_layer is [`SF_BED_AUTO`](crate::sys::SF_BED_AUTO) and the change moved the first layer that holds matter, everything is recomputed.\n\n- `box`: a box around the change, within the grid; an empty one changes nothing\n- cost: the volume of the boxes around the change in each layer, grown by the rule's reach and with bridges by their span and anchor; under slack a trim.\n- threads: one per pair of grids.\n- in C: [`sf_grid_trim_box()`](crate::sys::sf_grid_trim_box)"
     };
     (sf_grid_unsupported) => {
         "Which voxels of a shape nothing carries, as it is drawn: those that a check counts, and all of what lies below the bed.\n\nWhat rests on one of them counts as carried, under slack with no reach to spare. With these exempt, and what the terms exempt already, the shape is support-free.\n\n- cost: a step of the rule for each layer.\n- threads: any that write distinct grids.\n- in C: [`sf_grid_unsupported()`](crate::sys::sf_grid_unsupported)"
@@ -344,6 +488,9 @@ macro_rules! words {
     (sf_handles_place) => {
         "Place handles by themselves: deep in the solid, far from the base and from each other.\n\nPlaces are cells that lie at least as deep as their neighbours; when these are used up, cells at least half as deep as the deepest. Without a base the first handle takes the deepest of all. Each of the others takes the place that is furthest from what is taken, on the way through the solid, with the depth of the place added. No two handles lie within three cells of each other or of the base. The result is the same everywhere.\n\n- cost: n log n of the cells for each handle.\n- threads: any; one at a time for each allocator.\n- source: T. F. Gonzalez, \"Clustering to Minimize the Maximum Intercluster Distance\", 1985.\n- in C: [`sf_handles_place()`](crate::sys::sf_handles_place)"
     };
+    (sf_isa_limit) => {
+        "Use no instruction set above `limit`, for tests and benches; results never depend on it.\n\n- cost: constant.\n- threads: any; work under way elsewhere may end on the old set.\n- in C: [`sf_isa_limit()`](crate::sys::sf_isa_limit)"
+    };
     (sf_keep_field) => {
         "Whether what is at a place of the shape as it was before bending must stay: 1, or 0 where it may be carved away. Asked once a round for each voxel."
     };
@@ -364,6 +511,18 @@ macro_rules! words {
     };
     (sf_lattice_validate) => {
         "Check a lattice: counts within limits, lengths finite and positive.\n\n- cost: constant, or O(nz) with heights.\n- threads: any.\n- in C: [`sf_lattice_validate()`](crate::sys::sf_lattice_validate)"
+    };
+    (sf_layers) => {
+        "Layers being written."
+    };
+    (sf_layers_add: ids, stride) => {
+        "Write the next layer up: layer_00000.png and so on.\n\n- `ids`: a byte a voxel, row 0 first: 0, or material + 1, as [`sf_materials`](crate::sys::sf_materials) has them\n- `stride`: bytes from one row to the next, at least nx\n- cost: a pass, mostly in the compressor, which takes its memory from the C library.\n- threads: one for these layers.\n- in C: [`sf_layers_add()`](crate::sys::sf_layers_add)"
+    };
+    (sf_layers_begin: lattice, materials) => {
+        "Begin to write layers.\n\nPixels are nx by ny, x to the right and y upward, as in [`sf_stack_write()`](crate::sys::sf_stack_write). Entry 0 of the palette is empty space, black and transparent; entry i + 1 is material i.\n\n- `lattice`: where voxels lie; copied\n- `materials`: the materials, in the order of ids; copied; names differ\n- cost: O(nz).\n- threads: any; one at a time for each allocator.\n- in C: [`sf_layers_begin()`](crate::sys::sf_layers_begin)"
+    };
+    (sf_layers_finish) => {
+        "Write stack.json, when all layers are there.\n\n```text\n    {\"format\": \"libsf-stack\", \"version\": 3, \"units\": \"mm\", \"lattice\": as sf_stack_write() has it,\n     \"rule\": null,\n     \"layers\": {\"pattern\": \"layer_%05u.png\", \"count\": nz},\n     \"materials\": [{\"index\": 1, \"name\", \"colour\": \"#rrggbb\", \"density_g_cm3\" or null,\n                    \"voxels\", \"volume_mm3\", \"grams\" or null}, ...],\n     \"solid\": \"not 0\", \"row_order\": \"top_is_max_y\"}\n```\n\n- cost: O(nz).\n- threads: one for these layers.\n- in C: [`sf_layers_finish()`](crate::sys::sf_layers_finish)"
     };
     (sf_limit) => {
         "A cage with all that evaluation needs."
@@ -434,6 +593,9 @@ macro_rules! words {
     (sf_mask_size) => {
         "The period of a mask along x, y and z, in voxels.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_mask_size()`](crate::sys::sf_mask_size)"
     };
+    (sf_material) => {
+        "What a material is called, looks like and weighs."
+    };
     (sf_material_uses: counts, material_count, density_g_cm3) => {
         "Voxels, volume and grams of each material, from the counts of each layer.\n\n- `counts`: lattice-\\>nz times material_count numbers: those of [`sf_materials`](crate::sys::sf_materials), layer after layer\n- `material_count`: 1..255\n- `density_g_cm3`: of each material, 0 or more; NULL: no masses, 0\n- cost: one pass over the counts, in their order: the same bytes everywhere.\n- threads: any.\n- in C: [`sf_material_uses()`](crate::sys::sf_material_uses)"
     };
@@ -468,7 +630,7 @@ macro_rules! words {
         "Find the ways up in which a part prints best, the best one first.\n\nThree rounds. Directions over the sphere are ranked by the area that hangs over and by height; the best coarse_count of them, the axes and the large flat faces by their score at the coarse resolution; the best fine_count of those, and the mesh as it is given, by their score at the fine one. Of equal scores the one with less unsupported area is better, then the one that was thought of earlier: the way it is given, the other axes, the large flat faces, the sphere. So the result is one and the same everywhere, with any number of threads; and it is never worse than the mesh as it is given.\n\nWhat touches the bed is the lowest layer of voxels; the centre of mass is that of the voxels.\n\n- cost: direction_count passes over the mesh; coarse_count + fine_count times voxels and a trim.\n- threads: any; the task's hook may run up to 64 pieces at once.\n- source: the spread of directions is R. Swinbank, R. J. Purser, \"Fibonacci grids: A novel approach to global modelling\", 2006; the cheap score is that of C. Schranz, \"Tweaker - Auto Rotation Module for FDM 3D Printing\", 2016, without its weights.\n- in C: [`sf_mesh_orient()`](crate::sys::sf_mesh_orient)"
     };
     (sf_mesh_read: format) => {
-        "Read a mesh from any source of bytes: STL, OBJ, PLY, OFF or glTF.\n\nCoordinates are taken as they are, as mm. Polygons become fans about their first corner. What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is passed over. STL has no shared vertices, so every facet brings three of its own; [`sf_mesh_merge()`](crate::sys::sf_mesh_merge) joins them.\n\nglTF alone says its unit and which way is up: it is turned to mm with z up, as [`sf_gltf_read()`](crate::sys::sf_gltf_read) says, which also reads buffers in other files. Its text form is not told from others by its bytes.\n\nNo count in a file is believed: memory grows as the bytes come. A binary STL file is as long as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with endsolid; a file that is shorter is refused, because half a part looks like a whole one. So are coordinates that are not finite, faces of fewer than three corners, corners that name no vertex, and files without a triangle. Numbers are read exactly, whatever the locale.\n\n- `format`: the format, or [`SF_MESH_FORMAT_AUTO`](crate::sys::SF_MESH_FORMAT_AUTO) to judge by the first 4096 bytes\n- cost: one pass over the file; while it grows, memory for two and a half times the mesh.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: 3D Systems, \"StereoLithography Interface Specification\", 1989; Wavefront, \"Object Files\"; G. Turk, \"The PLY Polygon File Format\", 1994; the Geomview manual, \"OFF Files\".\n- in C: [`sf_mesh_read()`](crate::sys::sf_mesh_read)"
+        "Read a mesh from any source of bytes: STL, OBJ, PLY, OFF, 3MF or glTF.\n\nCoordinates are taken as they are, as mm. Polygons become fans about their first corner. What is no triangle and no vertex (normals, colours, materials, lines, unknown elements) is passed over. STL has no shared vertices, so every facet brings three of its own; [`sf_mesh_merge()`](crate::sys::sf_mesh_merge) joins them. Of 3MF, which has units and a build, the whole build becomes one mesh in mm, as [`sf_threemf_read()`](crate::sys::sf_threemf_read) and [`sf_threemf_merge()`](crate::sys::sf_threemf_merge) do it.\n\nglTF says which way is up: it is turned to mm with z up, as [`sf_gltf_read()`](crate::sys::sf_gltf_read) says, which also reads buffers in other files. Its text form is not told from others by its bytes.\n\nNo count in a file is believed: memory grows as the bytes come. A binary STL file is as long as its count says or longer (a count of 0 or 2^32 - 1 means: to the end); text STL ends with endsolid; a file that is shorter is refused, because half a part looks like a whole one. So are coordinates that are not finite, faces of fewer than three corners, corners that name no vertex, and files without a triangle. Numbers are read exactly, whatever the locale.\n\n- `format`: the format, or [`SF_MESH_FORMAT_AUTO`](crate::sys::SF_MESH_FORMAT_AUTO) to judge by the first 4096 bytes\n- cost: one pass over the file; while it grows, memory for two and a half times the mesh.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: 3D Systems, \"StereoLithography Interface Specification\", 1989; Wavefront, \"Object Files\"; G. Turk, \"The PLY Polygon File Format\", 1994; the Geomview manual, \"OFF Files\".\n- in C: [`sf_mesh_read()`](crate::sys::sf_mesh_read)"
     };
     (sf_mesh_rest: com_mm, ups) => {
         "Where a body comes to rest that is put on level ground in some orientation, and let go.\n\nIt rolls on its convex hull as a body that tips slowly, neither slides nor gains momentum: it tips about the point of what touches the ground that is nearest to the centre of mass seen from above, an edge or a corner, until more of it touches; and so on, until the centre of mass lies over what it touches the ground with. That is the steepest descent of the height of the centre of mass over all orientations, and ends in a local minimum. A start that is balanced on an edge or a corner falls to one side, always the same. Corners within a millionth of the diagonal above the lowest one touch.\n\nA body that is flat lies down on a side; one without any width comes to rest as it lies.\n\n- `com_mm`: its centre of mass, in its convex hull (to a millionth of the diagonal)\n- `ups`: of each start, the direction of the mesh that points up, of any length from 1e-100 to 1e100\n- cost: typically n log n for n vertices; for each start and edge or corner it tips over, one pass over the corners of the hull.\n- threads: any; one at a time for each allocator.\n- source: hull: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, \"The Quickhull Algorithm for Convex Hulls\", 1996; rolling: M. Goldberg, R. K. Guy, \"Stability of Polyhedra (J. H. Conway and R. K. Guy)\", 1969.\n- in C: [`sf_mesh_rest()`](crate::sys::sf_mesh_rest)"
@@ -480,7 +642,7 @@ macro_rules! words {
         "Check a view: arrays where there are counts, indices in range, coordinates finite.\n\n- cost: linear.\n- threads: any.\n- in C: [`sf_mesh_validate()`](crate::sys::sf_mesh_validate)"
     };
     (sf_mesh_write: format) => {
-        "Write a mesh as binary STL, OBJ, binary little-endian PLY or binary glTF.\n\nOBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that are equal stay equal. glTF is what [`sf_gltf_write()`](crate::sys::sf_gltf_write) writes, without colours. Everything is checked before the first byte is written.\n\n- `format`: [`SF_MESH_FORMAT_STL`](crate::sys::SF_MESH_FORMAT_STL), _OBJ, _PLY or _GLTF\n- cost: one pass to check, one to write; 8 KiB of stack, no memory.\n- threads: any, on distinct sinks.\n- in C: [`sf_mesh_write()`](crate::sys::sf_mesh_write)"
+        "Write a mesh as binary STL, OBJ, binary little-endian PLY, 3MF or binary glTF.\n\nOBJ and PLY keep every bit of every coordinate: OBJ as the fewest of 15 to 17 digits that read back as the same double, PLY as doubles. STL has floats and unit normals; vertices that are equal stay equal. glTF is what [`sf_gltf_write()`](crate::sys::sf_gltf_write) writes, without colours; 3MF has one object, as [`sf_threemf_write()`](crate::sys::sf_threemf_write) writes it. Everything is checked before the first byte is written.\n\n- `format`: [`SF_MESH_FORMAT_STL`](crate::sys::SF_MESH_FORMAT_STL), _OBJ, _PLY, _THREEMF or _GLTF\n- cost: one pass to check, one to write; 8 KiB of stack, and 300 KiB of memory for 3MF alone.\n- threads: any, on distinct sinks.\n- in C: [`sf_mesh_write()`](crate::sys::sf_mesh_write)"
     };
     (sf_mixture) => {
         "Measured mixtures, and what lies between them."
@@ -527,6 +689,33 @@ macro_rules! words {
     (sf_paint_values: channel, weights, operation, amount) => {
         "Change values of a property.\n\nWhat would leave the property's bounds stays at them.\n\nA value that corners name has the greatest weight of the points where it is named; its neighbours are the values at the other ends of edges, on its own side of a jump.\n\n- `channel`: which property\n- `weights`: one for each point, 0 to 1\n- `operation`: what is done\n- `amount`: by how much\n- cost: O(points and edges).\n- threads: one for each cage.\n- in C: [`sf_paint_values()`](crate::sys::sf_paint_values)"
     };
+    (sf_path) => {
+        "What is known of a path beside its voxels."
+    };
+    (sf_path.bed_square) => {
+        "On the bed: squared distance of its last voxel to the closest matter of the bed slice, in voxels; 0 else, and where that slice is empty."
+    };
+    (sf_path.landing) => {
+        "The matter below its last voxel; else its last voxel itself, which is the one asked about where the path is empty."
+    };
+    (sf_path_finder) => {
+        "Finds closest supporting paths in a grid, one at a time."
+    };
+    (sf_path_finder_create: landing) => {
+        "Make a path finder for a grid.\n\nWhere any matter may be landed on and the rule is box3, octagon or disk the finder looks at nothing but the grid as it is when it is asked: changes count at once. Under slack, or for landing on living matter only, it keeps what is alive, and [`sf_path_finder_refresh()`](crate::sys::sf_path_finder_refresh) brings that up to date. Bridges carry what stands there, but a path does not count on new ones.\n\n- `landing`: what matter a path may end on\n- cost: a search for the bed. Where the finder keeps what is alive, a trim, and a bit for each voxel; under slack another bit, and a byte for each voxel that lives with less than all reach to spare; on layers of one height also some ten bytes for each layer and row of the grid, until a cone fills its slices. At 512^3 and 45 degrees that is 40 MB.\n- threads: any; the grids are only read.\n- in C: [`sf_path_finder_create()`](crate::sys::sf_path_finder_create)"
+    };
+    (sf_path_finder_find: from) => {
+        "The closest supporting path of a voxel, solid or not: what to fill so that it is carried.\n\nThe path goes from the layer below the voxel downwards, without the voxel itself and without the matter that it lands on. It is empty where the voxel is carried already, lies on the bed or is exempt, below the bed too: what is exempt stands wherever it lies. Among the paths of least cost: matter before a held voxel before the bed; the least distance of the landing from the voxel in the plane (on the bed first the least distance to the matter there), then the least y, then the least x of it. Between voxel and landing the path stays close to the straight line. With a bed slice that is empty it goes straight down if it may.\n\n- `from`: the voxel; whether it may be filled itself is not asked\n- cost: O(t^3 / 64) word reads where the path is t layers long. Once, and again whenever the bed slice has changed, the first path that ends on the bed asks for a distance transform of that slice. Under slack on layers of different heights O(t^2) bytes are made, and kept until a voxel of another layer is asked about. Where the masks lie in the way O(t^3) bytes, and memory for them.\n- threads: one per finder; the grids are only read.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, section 2.2 (grow), by a search of the downward cone in place of a map.\n- in C: [`sf_path_finder_find()`](crate::sys::sf_path_finder_find)"
+    };
+    (sf_path_map) => {
+        "Costs and directions of the closest supporting paths of all voxels of a grid."
+    };
+    (sf_path_map_create) => {
+        "Make a path map: for many questions to a grid that does not change.\n\nWhere no step reaches farther than a voxel (box3, octagon up to that reach), the cost is [`SF_PATH_COST_COUNT`](crate::sys::SF_PATH_COST_COUNT) and stays below 4095, the map is half a byte for each voxel: a direction. Else it is four bytes, a cost, and directions are found while walking.\n\n- cost: for half a byte a voxel about a nanosecond for four voxels; else voxels times those of the element, and a distance transform of each slice for [`SF_PATH_COST_NEARNESS`](crate::sys::SF_PATH_COST_NEARNESS).\n- threads: any; the grids are only read.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, sections 2.2 and 3.2, with costs that are zero at matter.\n- in C: [`sf_path_map_create()`](crate::sys::sf_path_map_create)"
+    };
+    (sf_path_map_walk: from) => {
+        "The path of a voxel by the map: one of the least cost.\n\nEach step goes to a voxel of least cost; among these to the closest in the plane, then to the least y, then to the least x. So the path costs what [`sf_path_finder_find()`](crate::sys::sf_path_finder_find) finds, but need not be the same.\n\n- `from`: as in [`sf_path_finder_find()`](crate::sys::sf_path_finder_find)\n- cost: the length of the path; on a map of costs times the voxels of the element.\n- threads: any.\n- in C: [`sf_path_map_walk()`](crate::sys::sf_path_map_walk)"
+    };
     (sf_place_options) => {
         "How handles are placed. Fill with [`sf_place_options_default()`](crate::sys::sf_place_options_default)."
     };
@@ -541,6 +730,9 @@ macro_rules! words {
     };
     (sf_place_options.most_cells) => {
         "The solid is looked at in blocks, at most this many: 32768; at least 64."
+    };
+    (sf_png_write_rgb: pixels, width, height) => {
+        "Write a colour picture as PNG, eight bits of red, green and blue a pixel.\n\n- `pixels`: 3 \\* width \\* height bytes: red, green, blue, row after row from the top\n- `width`: 1..[`SF_EXTENT_MAX`](crate::sys::SF_EXTENT_MAX)\n- `height`: 1..[`SF_EXTENT_MAX`](crate::sys::SF_EXTENT_MAX)\n- cost: one pass, mostly in the compressor, which takes its memory from the C library.\n- threads: any, on distinct sinks.\n- in C: [`sf_png_write_rgb()`](crate::sys::sf_png_write_rgb)"
     };
     (sf_pose_identity) => {
         "The pose that changes nothing.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_pose_identity()`](crate::sys::sf_pose_identity)"
@@ -599,6 +791,18 @@ macro_rules! words {
     (sf_property_young) => {
         "Young's modulus in Pa, 0 and more.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_property_young()`](crate::sys::sf_property_young)"
     };
+    (sf_read_limits) => {
+        "Bounds on what a reader takes. Fill with [`sf_read_limits_default()`](crate::sys::sf_read_limits_default)."
+    };
+    (sf_read_limits.bytes_max) => {
+        "Most bytes read from the source (default 8 GiB)."
+    };
+    (sf_read_limits.triangles_max) => {
+        "Most triangles (default 1e9)."
+    };
+    (sf_read_limits.vertices_max) => {
+        "Most vertices, corners of STL facets one by one (default UINT32_MAX)."
+    };
     (sf_refine) => {
         "Refine a cage.\n\nAfter a step the points are those of the points before, of the edges, of the faces and of the cells, in that order. Pieces of one cell follow each other; piece j holds the cell's corner j, as its own corner j where the cell is a hexahedron (in dimension 2 a quadrilateral), so that axes are kept, and as its first corner else. Where neighbours name different values of a property at their corners, each side is refined by itself, as if it ended there: the property jumps there, exactly.\n\n- cost: a step eight times as much as the one before; memory likewise.\n- threads: any; one at a time for each allocator.\n- source: K. I. Joy, R. MacCracken, \"The refinement rules for Catmull-Clark solids\", 1999; E. Catmull, J. Clark, \"Recursively generated B-spline surfaces on arbitrary topological meshes\", 1978; T. DeRose, M. Kass, T. Truong, \"Subdivision surfaces in character animation\", 1998; C. Altenhofen and others, \"Continuous property gradation for multi-material 3D-printed objects\", 2018.\n- in C: [`sf_refine()`](crate::sys::sf_refine)"
     };
@@ -632,6 +836,9 @@ macro_rules! words {
     (sf_rule_box3) => {
         "The papers' rule: a voxel is carried by any of the nine below it.\n\nIt takes no angle. On cubic voxels it accepts 45 degrees along the axes and 54.7 degrees along diagonals; [`sf_rule_measure()`](crate::sys::sf_rule_measure) says what it accepts on another lattice.\n\n- cost: constant.\n- threads: any.\n- source: T. Reiner, S. Lefebvre, \"Interactive Modeling of Support-free Shapes for Fabrication\", Eurographics 2016, section 3.2.\n- in C: [`sf_rule_box3()`](crate::sys::sf_rule_box3)"
     };
+    (sf_rule_element: k) => {
+        "The element of one step: slice k + 1 must lie within slice k dilated by it.\n\nUnder slack the element holds what can carry at all, where there is slack enough; bridges are not in it. The octagon's elements differ from step to step even where all layers have one height, so k is always the lattice's layer, never a count from the bed.\n\n- `k`: layer below the step, counted from the lattice's layer 0\n- cost: O(reach).\n- threads: any.\n- in C: [`sf_rule_element()`](crate::sys::sf_rule_element)"
+    };
     (sf_rule_kind_from_name) => {
         "The rule kind of a name, as [`sf_rule_kind_name()`](crate::sys::sf_rule_kind_name) gives it.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_rule_kind_from_name()`](crate::sys::sf_rule_kind_from_name)"
     };
@@ -643,6 +850,12 @@ macro_rules! words {
     };
     (sf_rule_set_bridges: span_mm, anchor_mm) => {
         "Let a rule accept bridges: gaps of at most a span between two anchored ends of one layer.\n\nThey run along x, along y and along both diagonals of a pixel. The span is rounded down to whole voxels, the anchor up, each after one part in 2^20 of a voxel has been forgiven; layer heights do not matter.\n\n- `span_mm`: longest gap that is spanned, 0 for no bridges\n- `anchor_mm`: length of carried matter that each end must have; a voxel is asked for at least\n- cost: constant.\n- threads: one per rule.\n- in C: [`sf_rule_set_bridges()`](crate::sys::sf_rule_set_bridges)"
+    };
+    (sf_runs_label: connectivity) => {
+        "Label runs with their connected component, in place, numbered from 0 by first run.\n\nThe runs are those of [`sf_slice_runs()`](crate::sys::sf_slice_runs): in row order, from left to right, with an empty voxel between those of one row. Labels on entry are ignored.\n\n- `connectivity`: which voxels are neighbours\n- cost: nearly linear in the runs; no memory.\n- threads: one per array.\n- source: R. E. Tarjan, \"Efficiency of a Good But Not Linear Set Union Algorithm\", 1975.\n- in C: [`sf_runs_label()`](crate::sys::sf_runs_label)"
+    };
+    (sf_runs_measure) => {
+        "Area and bounds of each labelled component; places that no run names become zero.\n\n- cost: linear in runs and places.\n- threads: any that write to distinct arrays.\n- in C: [`sf_runs_measure()`](crate::sys::sf_runs_measure)"
     };
     (sf_sampler) => {
         "A solid on a lattice, ready to be sliced."
@@ -785,23 +998,47 @@ macro_rules! words {
     (sf_slice_and) => {
         "dst = a AND b: solid where both are.\n\n- cost: one pass.\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_and()`](crate::sys::sf_slice_and)"
     };
+    (sf_slice_and_dilate: below, element) => {
+        "One step of trimming in one pass: dst = src AND dilate(below), outside empty.\n\nAll three have one size. dst may be src, and must not overlap below.\n\n- `below`: the layer below it, which is dilated\n- `element`: by what\n- cost: one pass for the square and the plus, else as [`sf_slice_dilate()`](crate::sys::sf_slice_dilate).\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_and_dilate()`](crate::sys::sf_slice_and_dilate)"
+    };
     (sf_slice_bounds) => {
         "Smallest rectangle around the solid voxels.\n\n- cost: one pass at most.\n- threads: any.\n- in C: [`sf_slice_bounds()`](crate::sys::sf_slice_bounds)"
     };
     (sf_slice_copy) => {
         "dst = src.\n\nBoth have one size, with any strides. dst may be src (the same words and stride), but must not lie across it; so too for both inputs of the four functions that follow.\n\n- cost: one pass over the slices.\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_copy()`](crate::sys::sf_slice_copy)"
     };
+    (sf_slice_dilate: element, border) => {
+        "Dilation: dst is solid where the element, placed there, meets src or, beyond it, the border.\n\nBoth have one size. dst must not overlap src.\n\n- `element`: by what\n- `border`: what lies outside src\n- cost: 2 reach_y + 1 unions of rows for each row, and a few shifts where half widths change.\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_dilate()`](crate::sys::sf_slice_dilate)"
+    };
+    (sf_slice_erode: element, border) => {
+        "Erosion: dst is solid where the element, placed there, lies in src and, beyond it, in the border.\n\nIt is the complement of the dilation of the complement, the border complemented as well.\n\n- `element`: by what\n- `border`: what lies outside src\n- cost: as [`sf_slice_dilate()`](crate::sys::sf_slice_dilate).\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_erode()`](crate::sys::sf_slice_erode)"
+    };
     (sf_slice_fill: rect) => {
         "Make every voxel of a rectangle solid (value != 0) or empty; an empty rectangle changes nothing.\n\n- `rect`: the voxels, all within the slice\n- cost: the words of the rectangle.\n- threads: one per slice.\n- in C: [`sf_slice_fill()`](crate::sys::sf_slice_fill)"
     };
+    (sf_slice_from_contours: lattice, contours) => {
+        "Draw contours into a slice: dst is solid where they have it inside, and empty elsewhere.\n\n- `lattice`: where voxels lie: nx, ny, pitch and origin are looked at\n- `contours`: the polygons, in the frame of the lattice; what stands out is cut off\n- cost: one pass, and n log n in the crossings of each row.\n- threads: any that write to distinct slices; one at a time for each allocator.\n- source: W. J. Bouknight, \"A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics Presentations\", 1970 (lists of edges that a row crosses).\n- in C: [`sf_slice_from_contours()`](crate::sys::sf_slice_from_contours)"
+    };
+    (sf_slice_from_runs: runs) => {
+        "Paint runs, in any order and free to overlap: dst is solid where a run is, and empty elsewhere.\n\n- `runs`: the runs; labels are ignored; may be NULL where count is 0\n- cost: one pass, and the runs.\n- threads: one per slice.\n- in C: [`sf_slice_from_runs()`](crate::sys::sf_slice_from_runs)"
+    };
     (sf_slice_get) => {
         "Whether voxel (x, y) is solid.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_slice_get()`](crate::sys::sf_slice_get)"
+    };
+    (sf_slice_measure) => {
+        "Exact integer sums over the solid voxels: their number, and those of x, y and their products.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_slice_measure()`](crate::sys::sf_slice_measure)"
     };
     (sf_slice_or) => {
         "dst = a OR b: solid where either is.\n\n- cost: one pass.\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_or()`](crate::sys::sf_slice_or)"
     };
     (sf_slice_popcount) => {
         "Number of solid voxels.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_slice_popcount()`](crate::sys::sf_slice_popcount)"
+    };
+    (sf_slice_run_count) => {
+        "Number of runs of solid voxels: the capacity that [`sf_slice_runs()`](crate::sys::sf_slice_runs) needs.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_slice_run_count()`](crate::sys::sf_slice_run_count)"
+    };
+    (sf_slice_runs) => {
+        "The runs of a slice in row order, from left to right, with label 0.\n\n- cost: two passes, and the runs.\n- threads: any.\n- in C: [`sf_slice_runs()`](crate::sys::sf_slice_runs)"
     };
     (sf_slice_set) => {
         "Make voxel (x, y) solid (value != 0) or empty.\n\n- cost: constant.\n- threads: one per slice.\n- in C: [`sf_slice_set()`](crate::sys::sf_slice_set)"
@@ -814,6 +1051,15 @@ macro_rules! words {
     };
     (sf_slice_xor) => {
         "dst = a XOR b: solid where just one is.\n\n- cost: one pass.\n- threads: any that write to distinct slices.\n- in C: [`sf_slice_xor()`](crate::sys::sf_slice_xor)"
+    };
+    (sf_stack_has_png) => {
+        "Whether this build writes and reads PNG.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_stack_has_png()`](crate::sys::sf_stack_has_png)"
+    };
+    (sf_stack_read) => {
+        "Read a stack back: the grid, its lattice, and the rule it was made under.\n\nLayers of materials (\\<sf/layers.h\\>) are read as what is solid. Pictures may also be grey of 2 to 8 bits, as picture editors save them: half-way and above is solid. Before memory is taken for the grid, every picture that stack.json claims must be there with the claimed size. Fields of stack.json that are not known are passed over.\n\n- cost: two opens of each picture, one pass over their bytes. jansson, libspng and zlib take memory from the C library, in proportion to stack.json (at most 64 MiB) and to a row.\n- threads: any, on distinct folders; one at a time for each allocator.\n- in C: [`sf_stack_read()`](crate::sys::sf_stack_read)"
+    };
+    (sf_stack_write) => {
+        "Write a grid as a stack: layer_00000.png and so on from the bottom, and last stack.json.\n\nEach picture has nx by ny pixels, one bit of grey each: white is solid. It shows the layer from above: x to the right, y upward, so its top row is the largest y. In a build without PNG the pictures are PBM (P4), layer_00000.pbm. stack.json says it all:\n\n```text\n    {\"format\": \"libsf-stack\", \"version\": 1, \"units\": \"mm\",\n     \"lattice\": {\"nx\", \"ny\", \"nz\", \"pitch_mm\": [x, y],\n                 \"layer_mm\" or \"heights_mm\": [...], \"origin_mm\": [x, y, z]},\n     \"rule\": null or {\"kind\": \"box3\" | \"octagon\" | \"disk\" | \"slack\",\n                      \"angle_deg\", \"angle_rad\", \"bridge_mm\": [span, anchor], \"bed_layer\",\n                      \"phase_layer\": 0},\n     \"layers\": {\"pattern\": \"layer_%05u.png\", \"count\": nz},\n     \"solid\": \"white\", \"row_order\": \"top_is_max_y\"}\n```\n\nIts numbers read back as the same doubles. angle_deg is for people: the reader takes angle_rad; box3 has neither. bridge_mm is there only where the rule has bridges, and then the version is 2. bed_layer is null for [`SF_BED_AUTO`](crate::sys::SF_BED_AUTO). phase_layer is the layer that the rule's phase counts from (an octagon's steps differ from layer to layer); so far that is always 0, so a reader takes nothing else, and 0 where it is absent. A folder without stack.json is no stack, so a call that fails leaves none in a folder that had none; over [`sf_directory_write()`](crate::sys::sf_directory_write) it leaves nothing at all.\n\n- cost: one pass over the grid, mostly in the compressor; 12 KiB of stack. libspng and zlib take some 300 KiB from the C library, because they know no other allocators.\n- threads: any that only read the grid, on distinct folders.\n- in C: [`sf_stack_write()`](crate::sys::sf_stack_write)"
     };
     (sf_stance) => {
         "A way for one mesh to come to rest."

@@ -2,8 +2,8 @@
 // Zip archives made in memory: what stands in them is stored, so that a test can write any XML and
 // change any byte. Parts of 3MF files that many tests begin with.
 
-#ifndef SF_TEST_ARCHIVE_H
-#define SF_TEST_ARCHIVE_H
+#ifndef SF_TEST_STORED_ZIP_H
+#define SF_TEST_STORED_ZIP_H
 
 #include <sf/threemf.h>
 
