@@ -19,10 +19,10 @@ typedef struct sfi_search {
     int found;       // whether there is one within reach since the last look
 } sfi_search;
 
-// Parts that one search may look into. Hundreds are many where a shape is a solid; where it is
-// folded flat all parts of a whole plane of it can be equally near, and there is no end to halving
-// them.
-enum { SFI_SEARCH_PARTS = 1 << 13 };
+// Parts that one search may look into. Hundreds are many inside of a solid, and outside, close to
+// what is irregular, ten thousand are not rare; where a shape is folded flat all parts of a whole
+// plane of it can be equally near, and there is no end to halving them.
+enum { SFI_SEARCH_PARTS = 1 << 17 };
 
 // Numbers of scratch that a search needs.
 size_t sfi_search_scratch(const sfi_atlas *atlas);

@@ -8789,8 +8789,8 @@ extern "C" {
     /// Of a point within the shape the place found lies within 1e-10 of the cage's diagonal of it.
     /// Where the shape overlaps itself it is any of them. Of a point outside the place found is
     /// near to the nearest one, if that is within reach. Where cells are folded flat, so that
-    /// endlessly many places are equally near, the search ends after a few thousand tries: with the
-    /// nearest seen, or none.
+    /// endlessly many places are equally near, the search ends after a hundred thousand tries: with
+    /// the nearest seen, or none.
     ///
     /// - `locator`: the locator
     /// - `count`: how many points; may be 0
@@ -8804,7 +8804,7 @@ extern "C" {
     /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a reach that is no number of 0 or more, a
     ///   point that is not finite; SF_ERR_MEMORY; SF_ERR_CANCELLED: the task was cancelled before.
     /// - cost: some ten microseconds for each point; hundreds close to what is irregular, or
-    ///   outside within reach; some tens of milliseconds at worst, where cells are folded flat.
+    ///   outside within reach; some hundreds of milliseconds at worst, where cells are folded flat.
     /// - threads: any, while nobody updates the limit; one at a time for each allocator.
     /// - since: 0.1
     #[must_use]
