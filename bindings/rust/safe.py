@@ -35,7 +35,7 @@ STRUCTS = {"sf_carve_report": "CarveReport", "sf_drain": "Drain", "sf_drain_repo
            "sf_session_counts": "SessionCounts", "sf_cage_report": "CageReport", "sf_cage_reading": "CageReading",
            "sf_cage_history_state": "CageHistoryState", "sf_limit_report": "LimitReport",
            "sf_sample_report": "SampleReport", "sf_tets_report": "TetsReport", "sf_diffusion": "Diffusion",
-           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport",
+           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport", "sf_gltf_report": "GltfReport",
            "sf_finding_cost": "FindingCost", "sf_slice_sums": "SliceSums", "sf_component": "Component",
            "sf_bridge": "Bridge", "sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
            "sf_check_report": "CheckReport", "sf_finding": "Finding", "sf_void": "Void",

@@ -64,6 +64,11 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// A new mesh of C's.
+    pub(crate) fn of(c: NonNull<sys::sf_mesh>) -> Mesh {
+        Mesh { c }
+    }
+
     /// A copy of triangles that belong to something else.
     pub(crate) fn copied(view: sys::sf_mesh_view) -> Result<Mesh> {
         let vertices = unsafe { elements(view.vertices.cast(), view.vertex_count) };
@@ -168,10 +173,7 @@ impl Mesh {
     ///
     #[doc = words!(sf_read_limits)]
     pub fn read_within(mut from: impl Read, format: MeshFormat, limits: &MeshLimits) -> Result<Mesh> {
-        let mut c = unsafe { sys::sf_read_limits_default() };
-        c.bytes_max = limits.bytes_max;
-        c.triangles_max = limits.triangles_max;
-        c.vertices_max = limits.vertices_max;
+        let c = limits.c();
         let mut made = ptr::null_mut();
         reading(&mut from, |source, fault| unsafe {
             sys::sf_mesh_read(source, format.c(), &c, allocator(), &mut made, fault)
@@ -233,6 +235,16 @@ pub struct MeshLimits {
     pub triangles_max: usize,
     #[doc = words!(sf_read_limits.vertices_max)]
     pub vertices_max: usize,
+}
+
+impl MeshLimits {
+    pub(crate) fn c(&self) -> sys::sf_read_limits {
+        let mut c = unsafe { sys::sf_read_limits_default() };
+        c.bytes_max = self.bytes_max;
+        c.triangles_max = self.triangles_max;
+        c.vertices_max = self.vertices_max;
+        c
+    }
 }
 
 impl Default for MeshLimits {

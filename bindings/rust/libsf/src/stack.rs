@@ -76,7 +76,7 @@ impl StackRule {
 }
 
 /// A folder of the disk that is read, or written and not yet published.
-struct Directory(NonNull<sys::sf_directory>);
+pub(crate) struct Directory(NonNull<sys::sf_directory>);
 
 type Open = unsafe extern "C" fn(
     *const std::ffi::c_char,
@@ -94,7 +94,7 @@ impl Directory {
         Ok(Directory(own(made)?))
     }
 
-    fn reading(path: &Path) -> Result<Directory> {
+    pub(crate) fn reading(path: &Path) -> Result<Directory> {
         Directory::open(path, sys::sf_directory_read)
     }
 
@@ -102,7 +102,7 @@ impl Directory {
         Directory::open(path, sys::sf_directory_write)
     }
 
-    fn folder(&self) -> sys::sf_folder {
+    pub(crate) fn folder(&self) -> sys::sf_folder {
         unsafe { sys::sf_directory_folder(self.0.as_ptr()) }
     }
 

@@ -79,3 +79,52 @@ fn polygons_are_what_was_handed_in() {
     );
     assert_eq!(grid.count(), 0);
 }
+
+/// How often polygons wind around a point that lies on none of their edges.
+fn winding(contours: &Contours, [x, y]: [f64; 2]) -> i32 {
+    let mut turns = 0;
+    for polygon in contours.polygons() {
+        for (i, a) in polygon.iter().enumerate() {
+            let b = polygon[(i + 1) % polygon.len()];
+            if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+                turns += if b[1] > a[1] { 1 } else { -1 };
+            }
+        }
+    }
+    turns
+}
+
+#[test]
+fn a_voxel_is_solid_where_its_centre_is_inside() {
+    let lattice = Lattice::new(48, 24, 1, 0.5, 0.5).unwrap();
+    let mut random = Random::new(31);
+    let (mut told, mut voxels) = (0, 0);
+    for round in 0..80 {
+        // Corners on sixteenths, between the centres of voxels.
+        let mut at = |n: u32| 0.0625 + 0.125 * f64::from(random.below(n));
+        let polygons = (0..1 + round % 3)
+            .map(|n| (0..(round + 2 * n) % 7).map(|_| [at(200), at(100)]).collect::<Vec<_>>());
+        let mut contours = Contours::new();
+        polygons.for_each(|polygon| contours.push(&polygon));
+        let even_odd = round % 2 == 0;
+        let fill = if even_odd { ContourFill::EvenOdd } else { ContourFill::Nonzero };
+        let inside = |at: [f64; 2]| match winding(&contours, at) {
+            turns if even_odd => turns % 2 != 0,
+            turns => turns != 0,
+        };
+        let mut grid = Grid::new(&lattice).unwrap();
+        grid.slice_mut(0).draw(&lattice, &contours, fill).unwrap();
+        for n in 0..48 * 24 {
+            let (x, y) = (n % 48, n / 48);
+            let [cx, cy] = [0.25 + 0.5 * f64::from(x), 0.25 + 0.5 * f64::from(y)];
+            // Where a little to the side is another answer, the centre is all but on an edge.
+            let near = [[cx + 1e-3, cy], [cx - 1e-3, cy], [cx, cy + 1e-3], [cx, cy - 1e-3]];
+            voxels += 1;
+            if near.iter().all(|&to| inside(to) == inside([cx, cy])) {
+                assert_eq!(grid.get(0, y, x), inside([cx, cy]), "round {round}: {x} {y} {contours:?}");
+                told += 1;
+            }
+        }
+    }
+    assert!(told * 50 > voxels * 49, "{told} of {voxels}");
+}

@@ -5,8 +5,8 @@
 mod shapes;
 
 use libsf::{
-    has_png, write_png, Cage, CageFormat, CageReadOptions, Channel, ErrorKind, Grid, Lattice, LayerWriter,
-    Material, Mesh, MeshFormat, MeshLimits, Property, RefineRules, Rule, StackRule, Task,
+    has_gltf, has_png, write_png, Cage, CageFormat, CageReadOptions, Channel, ErrorKind, Grid, Lattice,
+    LayerWriter, Material, Mesh, MeshFormat, MeshLimits, Property, RefineRules, Rule, StackRule, Task,
 };
 use shapes::Random;
 use std::fs;
@@ -222,4 +222,40 @@ fn a_reader_takes_no_more_than_it_is_told() {
     ] {
         assert_eq!(read(&limits).unwrap_err().kind(), ErrorKind::Overflow, "{limits:?}");
     }
+}
+
+#[test]
+fn a_mesh_goes_to_gltf_and_back() {
+    let folder = Folder::new("gltf");
+    let mesh = grid().surface(0, None).unwrap();
+    let colours = vec![[10, 200, 90]; mesh.vertices().len()];
+    let mut file = Vec::new();
+    mesh.write_glb(&mut file, Some(&colours)).unwrap();
+    assert_eq!(&file[..4], b"glTF");
+    assert_eq!(mesh.write_glb(&mut Vec::new(), Some(&colours[1..])).unwrap_err().kind(), ErrorKind::Shape);
+    let read = Mesh::read_gltf(&file[..], &MeshLimits::default(), Some(&folder.0));
+    if !has_gltf() {
+        assert_eq!(read.unwrap_err().kind(), ErrorKind::Unsupported);
+        return;
+    }
+    let (read, report) = read.unwrap();
+    assert_eq!((read.faces(), report.pieces, report.animations), (mesh.faces(), 1, 0));
+    let same = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-5);
+    assert!(read.vertices().iter().zip(mesh.vertices()).all(|(a, b)| same(a, b)));
+    let few = MeshLimits { triangles_max: mesh.faces().len() - 1, ..Default::default() };
+    assert_eq!(Mesh::read_gltf(&file[..], &few, None).unwrap_err().kind(), ErrorKind::Overflow);
+    // A buffer beside the file is read from the folder, and from nowhere else.
+    let text = r#"{"asset":{"version":"2.0"},"buffers":[{"uri":"b.bin","byteLength":36}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}]}"#;
+    let floats = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    fs::write(folder.0.join("b.bin"), floats.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
+        .unwrap();
+    let limits = MeshLimits::default();
+    let (triangle, _) = Mesh::read_gltf(text.as_bytes(), &limits, Some(&folder.0)).unwrap();
+    assert_eq!(triangle.vertices()[1], [1000.0, 0.0, 0.0]);
+    assert!(Mesh::read_gltf(text.as_bytes(), &limits, None).is_err());
+    let away = text.replace("b.bin", "../b.bin");
+    assert_eq!(Mesh::read_gltf(away.as_bytes(), &limits, Some(&folder.0)).unwrap_err().kind(), ErrorKind::Io);
 }

@@ -243,6 +243,13 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(refused(&Tones { solid: Some(other), ..good }), ErrorKind::Shape);
     let same = [KeepOut { place: Slice::new(&words, 10, 4, 1).unwrap(), material: 1, instead: 1 }];
     assert_eq!(refused(&Tones { keep_outs: &same, ..good }), ErrorKind::Argument);
+    let wide = [KeepOut { place: other, material: 0, instead: 1 }];
+    assert_eq!(refused(&Tones { keep_outs: &wide, ..good }), ErrorKind::Shape);
+    let mut memory = [0u64; 12];
+    let mut wrong: Vec<SliceMut<'_>> =
+        memory.chunks_mut(4).map(|part| SliceMut::new(part, 11, 4, 1).unwrap()).collect();
+    let to = Materials::counted().with_slices(&mut wrong);
+    assert_eq!(kind(halftone.slice(&good, to, None).unwrap_err()), ErrorKind::Shape);
     let much = [0.9f64; 40];
     let pair = [&much[..], &much[..]];
     assert_eq!(refused(&Tones::new(10, 4, ToneValues::F64(&pair))), ErrorKind::Argument);
