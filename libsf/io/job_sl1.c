@@ -19,6 +19,7 @@
 // Largest settings that are read.
 #define CONFIG_MAX (1u << 20)
 #define NO_ENTRY UINT32_MAX
+#define NUMBER_DIGITS 5 // of a layer, in the name of its picture
 #define NAME_SIZE 96
 
 int sf_job_has_sl1(void)
@@ -98,8 +99,8 @@ static int get(const config *c, const char *key, double *value)
 // Layers
 // ---------------------------------------------------------------------------------------------
 
-// Whether an entry is a layer: the number in its name, and how long the text before it is.
-static int is_layer(const sf_job *job, size_t entry, size_t *prefix, uint32_t *number)
+// Where the number in the name of a layer's picture begins and ends; 0 for an entry that is none.
+static int is_layer(const sf_job *job, size_t entry, size_t *first, size_t *end)
 {
     const char *name = sfi_archive_name(&job->archive, entry);
     size_t size = job->archive.entries[entry].name_size;
@@ -107,31 +108,44 @@ static int is_layer(const sf_job *job, size_t entry, size_t *prefix, uint32_t *n
         memchr(name, '\\', size) != NULL) {
         return 0;
     }
-    size_t end = size - 4, first = end;
-    while (first > 0 && end - first < 9 && name[first - 1] >= '0' && name[first - 1] <= '9') {
-        first--;
+    *end = *first = size - 4;
+    while (*first > 0 && name[*first - 1] >= '0' && name[*first - 1] <= '9') {
+        --*first;
     }
-    *number = 0;
-    for (size_t i = first; i < end; i++) {
-        *number = *number * 10 + (uint32_t)(name[i] - '0');
-    }
-    *prefix = first;
-    return first < end;
+    return *first < *end;
 }
 
-static sf_status count_layers(sf_job *job, sf_fault *fault)
+// The number of a layer, after the text that all names begin with; NO_ENTRY where it is too large.
+static uint32_t number_of(const sf_job *job, size_t entry, size_t prefix, size_t end)
 {
-    size_t first = 0, length = 0, prefix;
-    uint32_t number;
+    const char *name = sfi_archive_name(&job->archive, entry);
+    uint32_t number = 0;
+    for (size_t i = prefix; i < end && number < NO_ENTRY; i++) {
+        number = number < 100000000 ? number * 10 + (uint32_t)(name[i] - '0') : NO_ENTRY;
+    }
+    return number;
+}
+
+// How many layers there are, and how long the text is that all their names begin with. A job's own
+// name may end in digits: numbers are written with five of them, and with more only where there are
+// more layers, so the shortest name has its last five, or fewer where it has no more.
+static sf_status count_layers(sf_job *job, size_t *prefix, sf_fault *fault)
+{
+    size_t shortest = SIZE_MAX, any = 0, first, end;
     for (size_t i = 0; i < job->archive.count; i++) {
-        if (!is_layer(job, i, &prefix, &number)) {
-            continue;
+        if (is_layer(job, i, &first, &end)) {
+            job->layer_count++;
+            if (end < shortest) {
+                shortest = end;
+                any = i;
+                *prefix = end - first > NUMBER_DIGITS ? end - NUMBER_DIGITS : first;
+            }
         }
-        if (job->layer_count++ == 0) {
-            first = i;
-            length = prefix;
-        } else if (prefix != length || memcmp(sfi_archive_name(&job->archive, first),
-                                              sfi_archive_name(&job->archive, i), prefix) != 0) {
+    }
+    for (size_t i = 0; i < job->archive.count; i++) {
+        if (is_layer(job, i, &first, &end) &&
+            (first > *prefix || memcmp(sfi_archive_name(&job->archive, any),
+                                       sfi_archive_name(&job->archive, i), *prefix) != 0)) {
             return sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
                                  "the job has pictures of several names, and which are its layers "
                                  "nobody can tell; export it again");
@@ -150,9 +164,8 @@ static sf_status count_layers(sf_job *job, sf_fault *fault)
 
 static sf_status find_layers(sf_job *job, sf_fault *fault)
 {
-    size_t prefix;
-    uint32_t number;
-    SF_TRY(count_layers(job, fault));
+    size_t prefix = 0, first, end;
+    SF_TRY(count_layers(job, &prefix, fault));
     job->layers = sfi_alloc_array(&job->allocator, job->layer_count, sizeof *job->layers);
     if (job->layers == NULL) {
         return SF_ERR_MEMORY;
@@ -161,9 +174,10 @@ static sf_status find_layers(sf_job *job, sf_fault *fault)
         job->layers[k] = NO_ENTRY;
     }
     for (size_t i = 0; i < job->archive.count; i++) {
-        if (!is_layer(job, i, &prefix, &number)) {
+        if (!is_layer(job, i, &first, &end)) {
             continue;
         }
+        uint32_t number = number_of(job, i, prefix, end);
         if (number >= job->layer_count || job->layers[number] != NO_ENTRY) {
             return sfi_fault_set(
                 fault, SF_ERR_FORMAT, 0, 0,

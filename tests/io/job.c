@@ -66,6 +66,29 @@ static void sl1_is_written_and_read(void)
     free(b.data);
 }
 
+// Layers are numbered behind the job's name, which may end in digits of its own.
+static void names_may_end_in_digits(void)
+{
+    if (!sf_job_has_sl1()) {
+        SKIP("this build has no SL1");
+    }
+    static const char *const names[] = {"part-1", "2", "00000", "v20240131", "a_9999999999"};
+    job_bytes b = {NULL, 0, 0, {NULL, 0, 0}};
+    sf_sink sink = {job_put, &b};
+    sf_grid *grid = job_grid(40, 20, 12, NULL);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        sf_sl1_settings settings = sf_sl1_settings_default();
+        settings.name = names[i];
+        b.size = 0;
+        CHECK_EQ(sf_sl1_write(grid, &settings, NULL, sink, NULL, NULL), SF_OK);
+        sf_job *job = open_job(&b, NULL);
+        CHECK(job != NULL && job_holds(job, grid));
+        sf_job_close(job);
+    }
+    sf_grid_destroy(grid);
+    free(b.data);
+}
+
 // ---------------------------------------------------------------------------------------------
 // Written again
 // ---------------------------------------------------------------------------------------------
@@ -237,6 +260,7 @@ int main(void)
 {
     TEST(photons_are_read);
     TEST(sl1_is_written_and_read);
+    TEST(names_may_end_in_digits);
     TEST(what_does_not_change_stays);
     TEST(the_rim_of_what_is_taken_goes);
     TEST(files_have_bytes);
