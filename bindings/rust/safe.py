@@ -16,7 +16,8 @@
 import os
 import re
 
-ENUMS = {"sf_contour_fill": "ContourFill", "sf_carve_goal": "CarveGoal", "sf_carve_mode": "CarveMode", "sf_handle_kind": "HandleKind",
+ENUMS = {"sf_contour_fill": "ContourFill", "sf_contour_format": "ContourFormat",
+         "sf_job_format": "JobFormat", "sf_carve_goal": "CarveGoal", "sf_carve_mode": "CarveMode", "sf_handle_kind": "HandleKind",
          "sf_stance_kind": "StanceKind", "sf_stand_solver": "StandSolver", "sf_weights_method": "WeightsMethod",
          "sf_status": "ErrorKind", "sf_rule_kind": "RuleKind", "sf_finding_kind": "FindingKind", "sf_void_kind": "VoidKind",
          "sf_preserve_mode": "PreserveMode", "sf_fill": "Fill", "sf_mesh_format": "MeshFormat",
@@ -35,7 +36,7 @@ STRUCTS = {"sf_carve_report": "CarveReport", "sf_drain": "Drain", "sf_drain_repo
            "sf_session_counts": "SessionCounts", "sf_cage_report": "CageReport", "sf_cage_reading": "CageReading",
            "sf_cage_history_state": "CageHistoryState", "sf_limit_report": "LimitReport",
            "sf_sample_report": "SampleReport", "sf_tets_report": "TetsReport", "sf_diffusion": "Diffusion",
-           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport", "sf_gltf_report": "GltfReport",
+           "sf_material_use": "MaterialUse", "sf_emit_report": "EmitReport", "sf_gltf_report": "GltfReport", "sf_job_info": "JobInfo",
            "sf_finding_cost": "FindingCost", "sf_slice_sums": "SliceSums", "sf_component": "Component",
            "sf_bridge": "Bridge", "sf_rect": "Rect", "sf_box": "VoxelBox", "sf_moments": "Moments", "sf_rule_angles": "RuleAngles",
            "sf_check_report": "CheckReport", "sf_finding": "Finding", "sf_void": "Void",

@@ -2,6 +2,8 @@
 // Layers as closed polygons, and stacks of them: how slicers exchange layers.
 
 use std::fmt;
+use std::io::{Read, Write};
+use std::path::Path;
 use std::ptr::{self, NonNull};
 
 use crate::error::{check, check_fault, no_fault, Result};
@@ -9,8 +11,9 @@ use crate::grid::own;
 use crate::made::Made;
 use crate::memory::allocator;
 use crate::plain::{elements, room};
+use crate::stream::{open, reading, saving, writing};
 use crate::task::run;
-use crate::{sys, ContourFill, Grid, Lattice, Slice, SliceMut, Task};
+use crate::{sys, ContourFill, ContourFormat, Grid, Lattice, MeshLimits, Slice, SliceMut, Task};
 
 #[doc = words!(sf_contours)]
 ///
@@ -191,6 +194,52 @@ impl ContourStack {
             sys::sf_grid_from_contours(self.c.as_ptr(), &on, fill.c(), allocator(), task, to)
         }))?;
         Ok(Grid::of(made.own()?, lattice))
+    }
+}
+
+impl ContourStack {
+    #[doc = words!(sf_contour_stack_read)]
+    ///
+    /// Of the limits, those of bytes and of vertices count.
+    pub fn read(mut from: impl Read, limits: &MeshLimits) -> Result<ContourStack> {
+        let (mut made, limits) = (Made::new(sys::sf_contour_stack_destroy), limits.c());
+        let to = made.place();
+        reading(&mut from, |source, fault| unsafe {
+            sys::sf_contour_stack_read(source, &limits, allocator(), to, fault)
+        })?;
+        Ok(ContourStack { c: made.own()? })
+    }
+
+    #[doc = words!(sf_contour_stack_write: format)]
+    ///
+    /// ```
+    /// # fn main() -> libsf::Result<()> {
+    /// use libsf::{ContourFormat, ContourStack, Contours};
+    ///
+    /// let square: Contours = [[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]].into_iter().collect();
+    /// let mut stack = ContourStack::new(0.0)?;
+    /// stack.add(0.1, &square)?;
+    /// stack.add(0.2, &square)?;
+    /// let mut cli = Vec::new();
+    /// stack.write(&mut cli, ContourFormat::Text)?;
+    /// let again = ContourStack::read(&cli[..], &Default::default())?;
+    /// assert_eq!(again.layer(1)?, stack.layer(1)?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn write(&self, mut to: impl Write, format: ContourFormat) -> Result<()> {
+        writing(&mut to, |sink| unsafe { sys::sf_contour_stack_write(self.c.as_ptr(), format.c(), sink) })
+    }
+
+    /// Reads a CLI file.
+    pub fn load(path: impl AsRef<Path>) -> Result<ContourStack> {
+        ContourStack::read(open(path.as_ref())?, &MeshLimits::default())
+    }
+
+    /// Writes a CLI file, as text, whole or not at all.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        let format = ContourFormat::Text.c();
+        saving(path.as_ref(), |sink| unsafe { sys::sf_contour_stack_write(self.c.as_ptr(), format, sink) })
     }
 }
 

@@ -129,12 +129,20 @@ pub(crate) fn saving_with(
     let (mut save, mut fault) = (std::ptr::null_mut(), crate::error::no_fault());
     let begun = unsafe { sys::sf_save_begin(name.as_ptr(), allocator(), &mut save, &mut fault) };
     check_fault(begun, &fault)?;
-    let status = call(unsafe { sys::sf_save_sink(save) }, &mut fault);
-    if status != sys::SF_OK {
-        unsafe { sys::sf_save_abort(save) };
-        return check_fault(status, &fault);
-    }
+    let save = Save(save);
+    let status = call(unsafe { sys::sf_save_sink(save.0) }, &mut fault);
+    check_fault(status, &fault)?;
+    let save = std::mem::ManuallyDrop::new(save).0;
     check_fault(unsafe { sys::sf_save_commit(save, &mut fault) }, &fault)
+}
+
+/// A file being written, which is given up unless it is published: also where the call panics.
+struct Save(*mut sys::sf_save);
+
+impl Drop for Save {
+    fn drop(&mut self) {
+        unsafe { sys::sf_save_abort(self.0) }
+    }
 }
 
 /// Opens a file to be read.
