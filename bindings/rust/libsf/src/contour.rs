@@ -127,6 +127,11 @@ impl ContourStack {
         Ok(ContourStack { c: own(made)? })
     }
 
+    /// A new stack of C's.
+    pub(crate) fn owned(c: NonNull<sys::sf_contour_stack>) -> ContourStack {
+        ContourStack { c }
+    }
+
     /// The borders of all layers of a grid.
     pub fn of(grid: &Grid) -> Result<ContourStack> {
         let on = grid.lattice();

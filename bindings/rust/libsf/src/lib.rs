@@ -135,6 +135,7 @@ mod stand;
 mod stream;
 mod task;
 mod tetra;
+mod threemf;
 mod tip;
 mod weights;
 
@@ -178,6 +179,7 @@ pub use stance::Stance;
 pub use stand::{Inside, Stand};
 pub use task::{Canceller, Task};
 pub use tetra::{Tets, TetsView};
+pub use threemf::{has_threemf, ThreeMf, ThreeMfColour, ThreeMfItem, ThreeMfKind, ThreeMfObject};
 pub use tip::{Tip, TipRef};
 pub use weights::{Blend, Unbent, Weights};
 

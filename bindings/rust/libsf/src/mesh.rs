@@ -211,7 +211,8 @@ impl Mesh {
         let format = MeshFormat::from_path(path)?;
         let text = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gltf"));
         if text || matches!(format, MeshFormat::Auto | MeshFormat::Off) {
-            let said = format!("{}: a name that ends in .stl, .obj, .ply, .3mf or .glb is needed", path.display());
+            let said =
+                format!("{}: a name that ends in .stl, .obj, .ply, .3mf or .glb is needed", path.display());
             return Err(Error::new(ErrorKind::Argument, said));
         }
         saving(path, |sink| unsafe { sys::sf_mesh_write(self.view(), format.c(), sink) })

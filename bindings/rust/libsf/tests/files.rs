@@ -5,8 +5,9 @@
 mod shapes;
 
 use libsf::{
-    has_gltf, has_png, write_png, Cage, CageFormat, CageReadOptions, Channel, ErrorKind, Grid, Lattice,
-    LayerWriter, Material, Mesh, MeshFormat, MeshLimits, Property, RefineRules, Rule, StackRule, Task,
+    has_gltf, has_png, has_threemf, write_png, Cage, CageFormat, CageReadOptions, Channel, ErrorKind, Grid,
+    Lattice, LayerWriter, Material, Mesh, MeshFormat, MeshLimits, Property, RefineRules, Rule, StackRule,
+    Task, ThreeMf, ThreeMfKind,
 };
 use shapes::Random;
 use std::fs;
@@ -258,4 +259,50 @@ fn a_mesh_goes_to_gltf_and_back() {
     assert!(Mesh::read_gltf(text.as_bytes(), &limits, None).is_err());
     let away = text.replace("b.bin", "../b.bin");
     assert_eq!(Mesh::read_gltf(away.as_bytes(), &limits, Some(&folder.0)).unwrap_err().kind(), ErrorKind::Io);
+}
+
+#[test]
+fn a_mesh_goes_to_3mf_and_back() {
+    fn both<T: Send + Sync>() {}
+    both::<ThreeMf>();
+    let mesh = grid().surface(0, None).unwrap();
+    let mut file = Vec::new();
+    let written = mesh.write(&mut file, MeshFormat::Threemf);
+    let limits = MeshLimits::default();
+    if !has_threemf() {
+        assert_eq!(written.unwrap_err().kind(), ErrorKind::Unsupported);
+        assert_eq!(ThreeMf::read(&b"PK"[..], &limits).unwrap_err().kind(), ErrorKind::Unsupported);
+        return;
+    }
+    written.unwrap();
+    let document = ThreeMf::read(&file[..], &limits).unwrap();
+    let (objects, items) = (document.objects(), document.items());
+    assert_eq!((objects.len(), items.len(), document.colours().len()), (1, 1, 0));
+    assert_eq!((objects[0].kind, objects[0].stack, objects[0].colours), (ThreeMfKind::Model, None, None));
+    assert_eq!((objects[0].vertices, objects[0].faces), (mesh.vertices(), mesh.faces()));
+    assert_eq!((items[0].object, items[0].placed.shift_mm), (0, [0.0; 3]));
+    assert_eq!(document.merged(&limits).unwrap().faces(), mesh.faces());
+    let few = MeshLimits { triangles_max: mesh.faces().len() - 1, ..limits };
+    assert_eq!(document.merged(&few).unwrap_err().kind(), ErrorKind::Overflow);
+    assert_eq!(ThreeMf::read(&file[..], &few).unwrap_err().kind(), ErrorKind::Overflow);
+    // It has no slices, and half of it is no file.
+    assert!(!document.is_sliced());
+    assert_eq!(document.contours().unwrap_err().kind(), ErrorKind::Format);
+    let cut = ThreeMf::read(&file[..file.len() / 2], &limits).unwrap_err();
+    assert!(cut.kind() == ErrorKind::Format && cut.message().len() > 10, "{cut}");
+}
+
+#[test]
+fn a_sliced_3mf_gives_its_contours() {
+    let Some(data) = std::env::var_os("SF_DATA").map(PathBuf::from) else { return };
+    let path = data.join("3mf/torus_sliced.3mf");
+    if !has_threemf() || !path.exists() {
+        return;
+    }
+    let document = ThreeMf::load(path).unwrap();
+    assert!(document.is_sliced());
+    let stack = document.contours().unwrap();
+    let layers = (0..stack.len()).map(|k| stack.layer(k).unwrap());
+    let volume: f64 = layers.map(|l| l.contours.area_mm2() * (l.top_mm - l.bottom_mm)).sum();
+    assert!((volume - 797.9223).abs() < 0.05, "{volume}");
 }
