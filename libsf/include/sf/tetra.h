@@ -10,6 +10,7 @@
 #define SF_TETRA_H
 
 #include <sf/base.h>
+#include <sf/grid.h>
 #include <sf/property.h>
 #include <sf/refine.h>
 
@@ -108,6 +109,65 @@ SF_API sf_tets_view sf_tets_get_view(const sf_tets *tets);
  */
 SF_API SF_CHECKED sf_status sf_tets_set_values(sf_tets *tets, size_t channel, size_t first,
                                                size_t count, const double *values);
+
+/**
+ * The tetrahedra of a grid's solid voxels: six for each, around the diagonal from its low corner.
+ *
+ * They conform, and fill the voxels exactly. They have one property, which is 0 everywhere, or what
+ * of its bounds is nearest to 0: sf_tets_spread() gives it values.
+ *
+ * @param grid       the voxels
+ * @param property   the property
+ * @param allocator  for the tetrahedra and for scratch; NULL for the C library's
+ * @param tets       receives the tetrahedra, which own their arrays
+ * @param fault      NULL, or receives a sentence on failure
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a grid without solid voxels; SF_ERR_OVERFLOW:
+ * more than there are numbers for; SF_ERR_MEMORY; what sf_tets_create() says.
+ * @cost two passes over the grid; 96 bytes for each voxel and 24 for each point, twice for a while.
+ * @threads any; one at a time for each allocator.
+ * @source H. W. Kuhn, "Some combinatorial lemmas in topology", 1960.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_tets_of_grid(const sf_grid *grid, const sf_property *property,
+                                            const sf_allocator *allocator, sf_tets **tets,
+                                            sf_fault *fault);
+
+/** What sf_tets_spread() did. */
+typedef struct sf_spread_report {
+    size_t fixed;        /**< points that kept their values */
+    uint32_t iterations; /**< of the solver */
+    double residual;     /**< what is left of the largest force on a free point, as a part of the
+                              largest at the start */
+} sf_spread_report;
+
+/**
+ * Spread a property from some points over all others, harmonically: as heat would settle.
+ *
+ * Each free point gets the value at which the flow of Laplace's equation, by linear elements, is
+ * even; so a property that is linear where it is fixed is linear everywhere, and none lies outside
+ * of what is fixed (flat tetrahedra could overshoot, and are held to it). A part that hangs
+ * together with no fixed point becomes one value, about what it had in the mean. Values of points
+ * are meant: a property that jumps is refused.
+ *
+ * @param tets       tetrahedra that own their arrays
+ * @param channel    which property
+ * @param fixed      for each point: not 0 where its value stays
+ * @param allocator  for scratch, 48 bytes a tetrahedron and 32 a point; NULL for the C library's
+ * @param task       NULL, or cancel; nothing has changed then
+ * @param report     NULL, or receives what was done
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property, no fixed point;
+ * SF_ERR_UNSUPPORTED: tetrahedra of a refinement, a property that jumps; SF_ERR_INFEASIBLE: it did
+ * not settle, because tetrahedra are too flat; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+ * @cost some hundred passes over the tetrahedra: the more the finer they are.   @threads one for
+ * these tetrahedra; one at a time for each allocator.
+ * @source R. Courant, "Variational methods for the solution of problems of equilibrium and
+ * vibrations", 1943; M. Hestenes, E. Stiefel, "Methods of conjugate gradients for solving linear
+ * systems", 1952.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_tets_spread(sf_tets *tets, size_t channel, const uint8_t *fixed,
+                                           const sf_allocator *allocator, sf_task *task,
+                                           sf_spread_report *report);
 
 /** What sf_tets_check() finds. */
 typedef struct sf_tets_report {
