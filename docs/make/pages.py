@@ -14,6 +14,7 @@ import sys
 import blocks
 import c_reference
 import cli_reference
+import figures
 import performance
 import python_reference
 import rust_reference
@@ -91,6 +92,7 @@ def make(source, build, out):
         shutil.copy(os.path.join(source, "docs", "make", name), place)
     version = re.search(r"version: '([^']+)'", read(source, "meson.build"))
     write(version.group(1) + "\n", place, "version.txt")
+    figures.draw(os.path.join(place, "figures"))
     reference(source, build, place)
     python = os.environ.get("SPHINX_PYTHON", sys.executable)
     return subprocess.run([python, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q",
