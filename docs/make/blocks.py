@@ -9,6 +9,7 @@
 #   <!-- exit: N -->            the status that the last command of a shell block must have (0)
 #   <!-- prints -->             the block is just what the one before it printed
 #   <!-- given: C -->           what a piece of C that is no program is compiled with: parameters
+#   <!-- with: C -->            and what stands before it: macros, variables
 #   <!-- not run: REASON -->    the one way out; the test counts these
 #
 # Languages: sh, c, python, rust, json are run or read; text, vtk and session are for people, and files.
@@ -21,7 +22,7 @@ import subprocess
 import sys
 
 LANGUAGES = ("sh", "c", "python", "rust", "json", "toml", "cmake", "text", "vtk", "session", "meson")
-COMMENT = re.compile(r"<!--\s*(file|first|exit|prints|given|not run)(?::\s*((?:(?!-->).)*?))?\s*-->\s*\Z", re.S)
+COMMENT = re.compile(r"<!--\s*(file|first|exit|prints|given|with|not run)(?::\s*((?:(?!-->).)*?))?\s*-->\s*\Z", re.S)
 
 
 class Block:
@@ -69,7 +70,8 @@ class Runner:
         self.printed, self.python_so_far = "", []
         os.makedirs(folder, exist_ok=True)
         self.environment = dict(os.environ)
-        tools = [os.path.join(build, "demo", "sf"), os.path.join(build, "demo", "verify")]
+        tools = [os.path.join(build, "demo", "sf"), os.path.join(build, "demo", "verify"),
+                 os.path.join(build, "demo", "firmware")]
         libraries = [os.path.join(build, "libsf"), os.path.join(build, "libsf", "io")]
         self.environment["PATH"] = os.pathsep.join(tools + [self.environment.get("PATH", "")])
         self.environment["LD_LIBRARY_PATH"] = os.pathsep.join(libraries)
@@ -134,16 +136,14 @@ class Runner:
             return None
         flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-I" + os.path.join(self.source, "libsf", "include")]
         whole = re.search(r"^int main\(", block.text, re.M)
-        text = block.text if whole else (
-            "#include <sf/io.h>\n#include <sf/exchange.h>\n#include <sf/session.h>\n#include <sf/sf.h>\n"
-            f"void piece({block.says.get('given') or 'void'});\nvoid piece({block.says.get('given') or 'void'})\n"
-            "{\n" + block.text + "}\n")
+        text = block.text if whole else self.piece(block)
         name = os.path.splitext(block.says.get("file") or f"block{block.line}.c")[0]
         with open(os.path.join(self.folder, name + ".c"), "w", encoding="utf-8") as file:
             file.write(text)
         compiler = os.environ.get("CC", "cc").split()
         if not whole:
-            status, said = self.command(*compiler, *flags, "-Wno-unused", "-fsyntax-only", name + ".c")
+            status, said = self.command(*compiler, *flags, "-Wno-unused", "-Wno-unused-result",
+                                        "-fsyntax-only", name + ".c")
             return None if status == 0 else said
         libraries = ["-L" + os.path.join(self.build, "libsf", "io"), "-L" + os.path.join(self.build, "libsf"),
                      "-lsf-io", "-lsf", "-lm"]
@@ -153,6 +153,15 @@ class Runner:
         status, self.printed = self.command("./" + name)
         wanted = int(block.says.get("exit") or 0)
         return None if status == wanted else f"ends with {status}, not {wanted}:\n{self.printed}"
+
+    def piece(self, block):
+        """A piece of C as a file: in a function, unless it has one of its own."""
+        headers = ["chip", "exchange", "io", "session", "sf"]
+        head = "".join(f"#include <sf/{h}.h>\n" for h in headers) + block.says.get("with", "") + "\n"
+        if re.search(r"^\{$", block.text, re.M):
+            return head + block.text
+        given = block.says.get("given") or "void"
+        return head + f"void piece({given});\nvoid piece({given})\n{{\n" + block.text + "}\n"
 
     def run_python(self, block):
         """The blocks of a page are one program, of which each is run after those before it."""
