@@ -2,8 +2,8 @@
 # Without times or places of its own, so that two builds write the same bytes: `created` is
 # SOURCE_DATE_EPOCH, or the beginning of time.
 #
-# usage: sbom.py BUILD VERSION [FOLDER]; with FOLDER it is meson's to call, as it installs, and the list goes
-# to libsf.spdx.json in that folder below the prefix
+# usage: sbom.py BUILD VERSION FOLDER [NAME...]; names of libraries that meson has no list of. FOLDER - prints
+# the list; any other is meson's to name, as it installs: libsf.spdx.json there, below the prefix.
 
 import datetime
 import hashlib
@@ -26,7 +26,6 @@ LIBRARIES = {
     "libpng": ("libpng-2.0", "http://www.libpng.org", "PNG"),
     "libzip": ("BSD-3-Clause", "https://libzip.org", "3MF and SL1"),
     "muparser": ("BSD-2-Clause", "https://github.com/beltoforion/muparser", "formulas in recipes"),
-    "opensubdiv": ("Apache-2.0", "https://graphics.pixar.com/opensubdiv", "limit surfaces to compare with"),
     "osdCPU": ("Apache-2.0", "https://graphics.pixar.com/opensubdiv", "limit surfaces to compare with"),
     "spng": ("BSD-2-Clause", "https://libspng.org", "PNG"),
     "tet": ("AGPL-3.0-or-later", "https://wias-berlin.de/software/tetgen", "tetrahedra, in a program apart"),
@@ -51,10 +50,11 @@ def dependencies(build):
         return json.load(file)
 
 
-def document(build, version):
+def document(build, version, also):
     own = package("libsf", version, "MIT", None, "shapes that print without supports")
     packages, unknown = [own], []
-    for name, found in sorted({d["name"]: d["version"] for d in dependencies(build)}.items()):
+    versions = {**dict.fromkeys(also, "unknown"), **{d["name"]: d["version"] for d in dependencies(build)}}
+    for name, found in sorted(versions.items()):
         if name in LIBRARIES:
             packages.append(package(name, found if found != "unknown" else "NOASSERTION", *LIBRARIES[name]))
         elif not name.startswith(PLATFORM):
@@ -78,8 +78,8 @@ def document(build, version):
 
 
 if __name__ == "__main__":
-    text = json.dumps(document(sys.argv[1], sys.argv[2]), indent=2)
-    if len(sys.argv) == 3:
+    text = json.dumps(document(sys.argv[1], sys.argv[2], sys.argv[4:]), indent=2)
+    if sys.argv[3] == "-":
         print(text)
     elif not os.environ.get("MESON_INSTALL_DRY_RUN"):
         folder = os.path.join(os.environ["MESON_INSTALL_DESTDIR_PREFIX"], sys.argv[3])

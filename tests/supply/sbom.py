@@ -2,7 +2,7 @@
 # asks for, must name every library that the shared libraries and the programs ask the loader for,
 # and must be the same bytes each time.
 #
-# usage: sbom.py GENERATOR BUILD VERSION READELF FILE...; speaks TAP
+# usage: sbom.py GENERATOR BUILD VERSION READELF NAME,NAME... FILE...; speaks TAP
 
 import json
 import os
@@ -12,7 +12,8 @@ import sys
 import tempfile
 
 GENERATOR, BUILD, VERSION, READELF = sys.argv[1:5]
-FILES = sys.argv[5:]
+ALSO_FOUND = [n for n in sys.argv[5].split(",") if n]
+FILES = sys.argv[6:]
 PLATFORM = re.compile(r"lib(c|m|pthread|dl|rt|gcc_s|stdc\+\+)\.so|ld-|libsf|linux-vdso")
 # By what the loader calls it, where that is not the name that meson knows.
 ALSO = {"hdf5_serial": "hdf5-serial", "hdf5": "hdf5", "glfw": "glfw3", "png16": "libpng", "zip": "libzip",
@@ -30,12 +31,13 @@ def ok(problems, what):
 
 
 def generate(**environment):
-    return subprocess.run([sys.executable, "-B", GENERATOR, BUILD, VERSION], capture_output=True, text=True,
+    return subprocess.run([sys.executable, "-B", GENERATOR, BUILD, VERSION, "-", *ALSO_FOUND],
+                          capture_output=True, text=True,
                           env={"PATH": "/usr/bin:/bin", **environment}).stdout
 
 
 with tempfile.TemporaryDirectory() as folder:
-    subprocess.run([sys.executable, "-B", GENERATOR, BUILD, VERSION, "share/libsf"], check=True,
+    subprocess.run([sys.executable, "-B", GENERATOR, BUILD, VERSION, "share/libsf", *ALSO_FOUND], check=True,
                    env={"PATH": "/usr/bin:/bin", "MESON_INSTALL_DESTDIR_PREFIX": folder})
     with open(os.path.join(folder, "share", "libsf", "libsf.spdx.json"), encoding="utf-8") as file:
         text = file.read()
