@@ -26,6 +26,7 @@ extern "Python" {
     int sf_py_value(void *, const double *, double *);
     double sf_py_density(void *, const double *);
     int sf_py_keep(void *, const double *);
+    sf_status sf_py_layer(void *, uint32_t, uint16_t *const *);
 }
 int sf_cli_main(int, char **);
 typedef struct { void *handle; double asked_s; } sf_py_ticker;

@@ -45,7 +45,7 @@ ok $? "a wheel of it: $(cd "$folder/dist" && echo ./*.whl)"
 "$folder/build/bin/python" -m venv "$folder/clean" >"$folder/log" 2>&1
 "$folder/clean/bin/pip" install -q --disable-pip-version-check "$folder"/dist/libsf-*.whl hypothesis >"$folder/log" 2>&1
 ok $? "installed into a clean environment"
-for name in balance bending contours core golden grading jobs laws layers mesh sculpting stacks; do
+for name in balance bending contours core golden grading jobs laws layers mesh sculpting stacks threemf; do
     (cd "$folder" && PYTHONPATH="$source/bindings/python/tests" clean/bin/python \
         "$source/bindings/python/tests/tap.py" "test_$name") >"$folder/log" 2>&1
     ok $? "and passes $name there: $(grep -c '^ok' "$folder/log") cases"
