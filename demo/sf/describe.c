@@ -89,7 +89,7 @@ static void say_part(report *r, const part *p, const sf_lattice *lattice, const 
 
 void describe_part(cli_job *job, const part *p, const char *verb)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_lattice lattice = part_lattice(p);
     report *r = job->report;
     report_text(r, "verb", verb);
     report_text(r, "input", job->options.input != NULL ? job->options.input : "scene:garden");

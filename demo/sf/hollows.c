@@ -20,15 +20,18 @@ enum { VOIDS_MAX = 65536, VOIDS_SAID = 4, WORDS_SIZE = 96 };
 #define CUP_AREA_MM2 0.25
 #define CUP_HEIGHT_MM 0.5
 
-exit_status hollows_find(cli_job *job, const part *p, hollows *h)
+exit_status hollows_begin(cli_job *job, hollows *h)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
-    sf_voids_options options = sf_voids_options_default();
     memset(h, 0, sizeof *h);
     h->voids = malloc(VOIDS_MAX * sizeof *h->voids);
-    if (h->voids == NULL) {
-        return job_fail(job, EXIT_RESOURCE, "There is no memory for the voids.");
-    }
+    return h->voids != NULL ? EXIT_GOOD
+                            : job_fail(job, EXIT_RESOURCE, "There is no memory for the voids.");
+}
+
+sf_voids_options hollows_options(const part *p, const hollows *h)
+{
+    sf_lattice lattice = part_lattice(p);
+    sf_voids_options options = sf_voids_options_default();
     options.bed_layer = p->bed_layer;
     options.voids = h->voids;
     options.void_capacity = VOIDS_MAX;
@@ -36,6 +39,16 @@ exit_status hollows_find(cli_job *job, const part *p, hollows *h)
         (uint64_t)fmin(ceil(CUP_AREA_MM2 / (lattice.pitch_x_mm * lattice.pitch_y_mm)), 1e18);
     options.cup_layers_min = (uint32_t)fmin(
         ceil(CUP_HEIGHT_MM / sf_lattice_layer_height(&lattice, 0)), (double)SF_LAYER_MAX);
+    return options;
+}
+
+exit_status hollows_find(cli_job *job, const part *p, hollows *h)
+{
+    exit_status begun = hollows_begin(job, h);
+    if (begun != EXIT_GOOD) {
+        return begun;
+    }
+    sf_voids_options options = hollows_options(p, h);
     progress_phase("looking for voids");
     sf_status status = sf_grid_voids(p->grid, &options, NULL, &job->task, &h->counts, &h->count);
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the voids", EXIT_INPUT);
@@ -126,10 +139,36 @@ static void say_traps(report *r, const places *in, const hollows *h, double voxe
     }
 }
 
+// Of layers, where each cup opens: the widest first.
+static void say_cups(report *r, const places *in, const hollows *h)
+{
+    const sf_void *last = NULL;
+    for (int i = 0; i < VOIDS_SAID; i++) {
+        const sf_void *best = NULL;
+        for (size_t n = 0; n < h->count; n++) {
+            const sf_void *v = &h->voids[n];
+            int later = last == NULL || v->area < last->area || (v->area == last->area && v > last);
+            if (v->kind == SF_VOID_CUP && later && (best == NULL || v->area > best->area)) {
+                best = v;
+            }
+        }
+        if (best == NULL) {
+            return;
+        }
+        char where[PLACE_WORDS_SIZE], opens[48];
+        place_words(in, &best->box, 1, where);
+        snprintf(opens, sizeof opens, "opens at layer %u", best->vent_layer);
+        report_say(r, "  %-8s from %s: %.4g mm2, %s", "cup", where,
+                   (double)best->area * in->lattice.pitch_x_mm * in->lattice.pitch_y_mm,
+                   best->vent_layer == in->lattice.nz ? "opens when the print ends" : opens);
+        last = best;
+    }
+}
+
 void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
 {
-    places in = {sf_grid_lattice(p->grid), job->options.up};
-    double voxel_mm3 = place_voxel_mm3(p->grid);
+    places in = {part_lattice(p), job->options.up};
+    double voxel_mm3 = part_voxel_mm3(p);
     char traps[WORDS_SIZE], cups[WORDS_SIZE];
     name_traps(h, voxel_mm3, traps, sizeof traps);
     name_cups(h, &in.lattice, cups, sizeof cups);
@@ -145,12 +184,15 @@ void hollows_say(cli_job *job, const part *p, const hollows *h, int is_brief)
     if (h->counts.cup_count > 0) {
         report_say(job->report, "Printed from resin, hanging from the bed, %s.", cups);
     }
+    if (p->kind == PART_JOB) {
+        say_cups(job->report, &in, h);
+    }
 }
 
 void hollows_report(cli_job *job, const part *p, const hollows *h)
 {
     report *r = job->report;
-    places in = {sf_grid_lattice(p->grid), job->options.up};
+    places in = {part_lattice(p), job->options.up};
     report_begin(r, "voids");
     report_count(r, "traps", h->counts.trap_count);
     report_count(r, "trap_voxels", h->counts.trap_voxels);

@@ -12,6 +12,10 @@ typedef struct hollows {
     size_t count;
 } hollows;
 
+// Room for voids, and how to look for them; for those who do so themselves.
+exit_status hollows_begin(cli_job *job, hollows *h);
+sf_voids_options hollows_options(const part *p, const hollows *h);
+
 // Find them in the part's grid.
 exit_status hollows_find(cli_job *job, const part *p, hollows *h);
 

@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FINDINGS_MAX = 65536 };
-
 static sf_check_options how_to_check(const part *p)
 {
     sf_check_options options = sf_check_options_default();
@@ -33,7 +31,7 @@ sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
 // --memory may forbid it; then they are told by what a trim takes.
 static exit_status price(cli_job *job, const part *p, judgement *j)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_lattice lattice = part_lattice(p);
     sf_terms terms = part_terms(p);
     double mib = 2.0 * lattice.nx * lattice.ny * lattice.nz / 1048576;
     size_t room = j->finding_count > 0 ? j->finding_count : 1;
@@ -43,7 +41,7 @@ static exit_status price(cli_job *job, const part *p, judgement *j)
         return job_fail(job, EXIT_RESOURCE, "There is no memory for the costs.");
     }
     j->ranks = j->order + room;
-    j->priced = mib <= job->options.memory_mib;
+    j->priced = p->grid != NULL && mib <= job->options.memory_mib;
     sf_status status = SF_OK;
     if (j->priced) {
         progress_phase("pricing");
@@ -60,26 +58,38 @@ static exit_status price(cli_job *job, const part *p, judgement *j)
     return status == SF_OK ? EXIT_GOOD : job_fail_call(job, status, NULL, "the costs", EXIT_INPUT);
 }
 
+exit_status judgement_begin(cli_job *job, judgement *j)
+{
+    memset(j, 0, sizeof *j);
+    j->findings = malloc(JUDGEMENT_FINDINGS_MAX * sizeof *j->findings);
+    return j->findings != NULL
+               ? EXIT_GOOD
+               : job_fail(job, EXIT_RESOURCE, "There is no memory for the findings.");
+}
+
+exit_status judgement_settle(cli_job *job, const part *p, judgement *j)
+{
+    exit_status done = price(job, p, j);
+    return done == EXIT_GOOD ? groups_make(job, j->findings, j->costs, j->finding_count, &j->groups)
+                             : done;
+}
+
 exit_status judge(cli_job *job, const part *p, judgement *j)
 {
     sf_check_options options = how_to_check(p);
-    memset(j, 0, sizeof *j);
-    j->findings = malloc(FINDINGS_MAX * sizeof *j->findings);
-    if (j->findings == NULL) {
-        return job_fail(job, EXIT_RESOURCE, "There is no memory for the findings.");
+    exit_status done = judgement_begin(job, j);
+    if (done != EXIT_GOOD) {
+        return done;
     }
     options.findings = j->findings;
-    options.finding_capacity = FINDINGS_MAX;
+    options.finding_capacity = JUDGEMENT_FINDINGS_MAX;
     progress_phase("checking");
     sf_status status =
         sf_grid_check(p->grid, &options, NULL, &job->task, &j->counts, &j->finding_count);
     if (status != SF_OK) {
         return job_fail_call(job, status, NULL, "the check", EXIT_INPUT);
     }
-    exit_status done = price(job, p, j);
-    if (done == EXIT_GOOD) {
-        done = groups_make(job, j->findings, j->costs, j->finding_count, &j->groups);
-    }
+    done = judgement_settle(job, p, j);
     return done == EXIT_GOOD ? hollows_find(job, p, &j->hollows) : done;
 }
 
@@ -292,11 +302,11 @@ void judgement_report(cli_job *job, const part *p, const judgement *j, int is_br
     int is_hollow = j->hollows.counts.trap_count + j->hollows.counts.cup_count > 0;
     size_t most = !is_brief ? 4 : is_hollow ? 1 : 2;
     report *r = job->report;
-    places in = {sf_grid_lattice(p->grid), job->options.up};
+    places in = {part_lattice(p), job->options.up};
     report_fields(r, &in, j);
-    report_number(r, "volume_mm3", describe_volume(p->grid));
-    say_verdict(r, j, place_voxel_mm3(p->grid));
-    say_groups(r, &in, j, place_voxel_mm3(p->grid), most);
+    report_number(r, "volume_mm3", part_volume_mm3(p));
+    say_verdict(r, j, part_voxel_mm3(p));
+    say_groups(r, &in, j, part_voxel_mm3(p), most);
     hollows_report(job, p, &j->hollows);
     hollows_say(job, p, &j->hollows, is_brief);
 }

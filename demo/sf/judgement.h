@@ -23,6 +23,12 @@ typedef struct judgement {
 sf_status count_unsupported(cli_job *job, const part *p, const sf_grid *grid,
                             sf_check_report *counts);
 
+// Room for findings, and what is done once they are there: costs, order, groups. For those who do
+// the check themselves; judgement_settle() without a grid tells costs by what a trim takes.
+enum { JUDGEMENT_FINDINGS_MAX = 65536 };
+exit_status judgement_begin(cli_job *job, judgement *j);
+exit_status judgement_settle(cli_job *job, const part *p, judgement *j);
+
 // Check the part's grid under its rule, and find the places.
 exit_status judge(cli_job *job, const part *p, judgement *j);
 

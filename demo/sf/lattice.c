@@ -39,6 +39,18 @@ exit_status lattice_check_memory(cli_job *job, const sf_lattice *lattice, double
         2 * below > lattice->nz ? "a --bed nearer to the part, " : "", ceil(mib));
 }
 
+exit_status lattice_check_given(cli_job *job, const sf_lattice *lattice)
+{
+    double mib = 8.0 * (double)sf_slice_stride(lattice->nx) * lattice->ny * lattice->nz / 1048576;
+    return mib <= job->options.memory_mib
+               ? EXIT_GOOD
+               : job_fail(job, EXIT_RESOURCE,
+                          "A grid of %u x %u x %u voxels takes %.0f MiB, and --memory allows "
+                          "%.0f; say --memory %.0f.",
+                          lattice->nx, lattice->ny, lattice->nz, ceil(mib), job->options.memory_mib,
+                          ceil(mib));
+}
+
 // How many layers a bed adds that lies below the part.
 static double layers_below(const cli_job *job, double low_mm, double layer_mm)
 {

@@ -20,4 +20,7 @@ exit_status lattice_choose(cli_job *job, const double low_mm[3], const double hi
 // between the bed and the part.
 exit_status lattice_check_memory(cli_job *job, const sf_lattice *lattice, double below);
 
+// The same where the lattice is not ours to choose.
+exit_status lattice_check_given(cli_job *job, const sf_lattice *lattice);
+
 #endif

@@ -63,6 +63,8 @@ static const option_entry table[] = {
     {OPTION_MIN_FEATURE, "min-feature", 0, "MM",
      "what is added, or left inside, is that wide where there is room"},
     {OPTION_STEEPEST, "steepest", 0, NULL, "also look for the steepest overhang"},
+    {OPTION_THRESHOLD, "threshold", 0, "GREY",
+     "of a job: the least grey, 1 to 255, that hardens (default 128)"},
     {OPTION_CRUMBS, "crumbs", 0, "N",
      "places of at most N voxels are summed up, not named (default 8)"},
     {OPTION_PRINTING, "printing", 0, NULL,
@@ -287,8 +289,10 @@ static const char *describe_input(const char *name)
                "else)."
                "\n";
     }
-    return "\nA FILE is an STL, OBJ, PLY, OFF or glTF mesh, a folder with a stack of pictures that "
-           "sf wrote,\nor scene:garden, a scene that the program makes itself.\n";
+    return "\nA FILE is an STL, OBJ, PLY, OFF or glTF mesh, a job of a printer (.sl1, .photon), "
+           "contours "
+           "(.cli),\na folder with a stack of pictures that sf wrote, or scene:garden, a scene "
+           "that the program\nmakes itself.\n";
 }
 
 void options_help(const cli_verb *verb, FILE *to)

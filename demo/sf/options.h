@@ -72,6 +72,7 @@
 #define OPTION_SHELL (UINT64_C(1) << 57)
 #define OPTION_KEEP_OUT (UINT64_C(1) << 58)
 #define OPTION_SLICE (UINT64_C(1) << 59)
+#define OPTION_THRESHOLD (UINT64_C(1) << 61)
 
 // How tones become materials.
 typedef enum cli_mask { CLI_MASK_SLICE, CLI_MASK_ISOTROPIC, CLI_MASK_DIFFUSE } cli_mask;
@@ -115,8 +116,9 @@ typedef struct cli_options {
     double cut_mm;            // infinite: in the middle
     sf_preserve_mode mode;
     int steepest;
-    uint32_t crumbs; // places of at most that many voxels are not named
-    int printing;    // whether it is asked if it topples
+    uint32_t threshold; // least grey of 255 that is solid, in a job
+    uint32_t crumbs;    // places of at most that many voxels are not named
+    int printing;       // whether it is asked if it topples
     cli_mask mask;
     uint32_t steps; // of refinement
     double shell_mm;

@@ -5,6 +5,7 @@
 
 #include "judgement.h"
 #include "package.h"
+#include "print_job.h"
 #include "progress.h"
 
 #include <string.h>
@@ -35,6 +36,9 @@ output_kind output_kind_of(const char *path)
     if (strcmp(dot, ".png") == 0) {
         return OUTPUT_PICTURE;
     }
+    if (print_job_is_named(path) && dot[1] == 's') {
+        return OUTPUT_JOB;
+    }
     return dot[0] == '\0' ? OUTPUT_STACK : OUTPUT_UNKNOWN;
 }
 
@@ -60,15 +64,16 @@ exit_status output_check(cli_job *job, int mesh_allowed)
         return EXIT_GOOD;
     }
     output_kind kind = output_kind_of(path);
-    if (kind == OUTPUT_STACK || (kind == OUTPUT_MESH && mesh_allowed)) {
+    if (kind == OUTPUT_STACK || kind == OUTPUT_JOB || (kind == OUTPUT_MESH && mesh_allowed)) {
         return output_probe(job, path, kind);
     }
     return job_fail(
         job, EXIT_USAGE, "-o %s: this verb writes %s.", path,
-        mesh_allowed ? "a mesh (.stl, .obj, .ply, .3mf, .glb) or, for a name without extension or "
-                       "with a slash at its end, a folder with a stack of pictures"
-                     : "a folder with a stack of pictures; its name has no extension, or "
-                       "a slash at its end");
+        mesh_allowed
+            ? "a mesh (.stl, .obj, .ply, .3mf, .glb), a job (.sl1) or, for a name without "
+              "extension or with a slash at its end, a folder with a stack of pictures"
+            : "a job (.sl1), or a folder with a stack of pictures; its name has no extension, or "
+              "a slash at its end");
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -231,8 +236,10 @@ exit_status output_save_stack(cli_job *job, const part *p, const sf_grid *grid, 
 
 exit_status output_save(cli_job *job, const part *p, const sf_grid *grid, const char *path)
 {
-    return output_kind_of(path) == OUTPUT_MESH ? output_save_mesh(job, p, grid, path, "smoothed")
-                                               : output_save_stack(job, p, grid, path);
+    output_kind kind = output_kind_of(path);
+    return kind == OUTPUT_MESH  ? output_save_mesh(job, p, grid, path, "smoothed")
+           : kind == OUTPUT_JOB ? print_job_save(job, p, grid, path)
+                                : output_save_stack(job, p, grid, path);
 }
 
 // ---------------------------------------------------------------------------------------------

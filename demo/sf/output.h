@@ -9,9 +9,16 @@
 #include "part.h"
 
 // What the name of an output asks for.
-typedef enum output_kind { OUTPUT_MESH, OUTPUT_STACK, OUTPUT_PICTURE, OUTPUT_UNKNOWN } output_kind;
+typedef enum output_kind {
+    OUTPUT_MESH,
+    OUTPUT_STACK,
+    OUTPUT_PICTURE,
+    OUTPUT_JOB,
+    OUTPUT_UNKNOWN
+} output_kind;
 
-// Judge by the name: .stl, .obj, .ply, .3mf; .png; a folder is there, ends with a slash, or has no
+// Judge by the name: .stl, .obj, .ply, .3mf; .png; .sl1; a folder is there, ends with a slash, or
+// has no
 // extension.
 output_kind output_kind_of(const char *path);
 

@@ -4,9 +4,12 @@
 #include "part.h"
 
 #include "cages.h"
+#include "describe.h"
 #include "gltf_input.h"
 #include "inner.h"
 #include "lattice.h"
+#include "place.h"
+#include "print_job.h"
 #include "progress.h"
 #include "scene.h"
 #include "sliced.h"
@@ -35,7 +38,10 @@ static exit_status refuse_options(cli_job *job, uint64_t useless, const char *wh
     return job_fail(job, EXIT_USAGE,
                     "%s has its own size and axes: leave out --up, --units, --scale, --size, "
                     "--fill%s.",
-                    what, useless & OPTION_PITCH ? ", --pitch and --resolution" : "");
+                    what,
+                    useless & OPTION_PITCH        ? ", --pitch and --resolution"
+                    : useless & OPTION_RESOLUTION ? " and --resolution"
+                                                  : "");
 }
 
 exit_status part_load_mesh(cli_job *job, const char *path, sf_mesh **mesh)
@@ -250,14 +256,48 @@ static exit_status read_any(cli_job *job, part *p)
     if (stat(input, &entry) == 0 && S_ISDIR(entry.st_mode)) {
         return read_stack(job, p);
     }
+    if (print_job_is_named(input)) {
+        exit_status refused = refuse_options(job, MESH_ONLY | OPTION_RESOLUTION, "A job");
+        return refused == EXIT_GOOD ? print_job_open(job, p) : refused;
+    }
+    if (print_job_is_contours(input)) {
+        exit_status refused = refuse_options(job, MESH_ONLY, "A file of contours");
+        return refused == EXIT_GOOD ? print_job_read_contours(job, p) : refused;
+    }
     return sf_mesh_format_from_name(input) == SF_MESH_FORMAT_THREEMF ? read_3mf(job, p)
                                                                      : read_mesh(job, p);
 }
 
-exit_status part_read(cli_job *job, part *p)
+exit_status part_open(cli_job *job, part *p)
 {
     exit_status status = read_any(job, p);
     return status == EXIT_GOOD ? inner_read(job, p) : status;
+}
+
+exit_status part_read(cli_job *job, part *p)
+{
+    exit_status status = part_open(job, p);
+    return status == EXIT_GOOD && p->layers != NULL ? print_job_load(job, p) : status;
+}
+
+sf_lattice part_lattice(const part *p)
+{
+    return p->grid != NULL ? sf_grid_lattice(p->grid) : p->lattice;
+}
+
+double part_volume_mm3(const part *p)
+{
+    return p->grid != NULL ? describe_volume(p->grid) : p->volume_mm3;
+}
+
+double part_voxel_mm3(const part *p)
+{
+    sf_lattice l = part_lattice(p);
+    if (p->grid != NULL) {
+        return place_voxel_mm3(p->grid);
+    }
+    return p->solid_voxels > 0 ? p->volume_mm3 / (double)p->solid_voxels
+                               : l.pitch_x_mm * l.pitch_y_mm * sf_lattice_layer_height(&l, 0);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -299,6 +339,9 @@ exit_status part_voxelize(cli_job *job, part *p)
     sf_lattice lattice;
     if (p->grid != NULL) {
         return EXIT_GOOD;
+    }
+    if (p->layers != NULL) {
+        return print_job_load(job, p);
     }
     longest_side(sf_mesh_get_view(p->mesh), low, high);
     exit_status status = lattice_choose(job, low, high, &lattice, &p->lift);
@@ -361,7 +404,7 @@ static exit_status refuse_rule(cli_job *job, sf_status status, const sf_fault *f
 
 exit_status part_make_rule(cli_job *job, part *p)
 {
-    sf_lattice lattice = sf_grid_lattice(p->grid);
+    sf_lattice lattice = part_lattice(p);
     choose_rule(job, p, &lattice);
     sf_fault fault = {SF_OK, 0, 0, ""};
     size_t count = sf_rule_table_count(&lattice);
@@ -405,6 +448,7 @@ void part_release(part *p)
     sf_mesh_destroy(p->mesh);
     sf_mesh_destroy(p->inner);
     sf_grid_destroy(p->grid);
+    print_job_close(p);
     free(p->table);
     memset(p, 0, sizeof *p);
 }

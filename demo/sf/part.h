@@ -6,10 +6,10 @@
 
 #include "job.h"
 
-#include <sf/io.h>
+#include <sf/job.h>
 
 // Where a part came from.
-typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE } part_kind;
+typedef enum part_kind { PART_MESH, PART_STACK, PART_SCENE, PART_JOB } part_kind;
 
 typedef struct part {
     part_kind kind;
@@ -17,6 +17,11 @@ typedef struct part {
     sf_mesh *inner;            // a cavity to be taken from it, or NULL
     sf_transform to_build;     // from the axes and unit of the input to build axes and mm
     sf_grid *grid;             // NULL until part_voxelize()
+    sf_job *layers;            // a printer's job, which is open, or NULL
+    sf_file *file;             // what it is read from
+    sf_lattice lattice;        // its lattice
+    uint64_t solid_voxels;     // of a job that was judged without a grid
+    double volume_mm3;         // the same
     int own_rule, own_bridges; // whether these are the stack's, and not of the command line
     int has_rule;              // whether part_make_rule() was called
     sf_rule rule;
@@ -27,6 +32,14 @@ typedef struct part {
 
 // Read the input, whatever it is. A stack or a scene has its grid afterwards, a mesh has none.
 exit_status part_read(cli_job *job, part *p);
+
+// The same, but a printer's job is only opened: part_voxelize() reads it.
+exit_status part_open(cli_job *job, part *p);
+
+// Where its voxels lie; their volume, all together and each in the mean.
+sf_lattice part_lattice(const part *p);
+double part_volume_mm3(const part *p);
+double part_voxel_mm3(const part *p);
 
 // Choose a lattice and fill a grid; nothing to do for a stack or a scene.
 exit_status part_voxelize(cli_job *job, part *p);

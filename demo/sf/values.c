@@ -277,6 +277,10 @@ static int parse_bounded(uint64_t bit, const char *text, cli_options *made)
         good = parse_count(text, 0, 1e9, &number);
         made->crumbs = good ? (uint32_t)number : 0;
         return good;
+    case OPTION_THRESHOLD:
+        good = parse_count(text, 1, 255, &number);
+        made->threshold = good ? (uint32_t)number : 0;
+        return good;
     case OPTION_SLICE:
         good = parse_count(text, 0, SF_LAYER_MAX, &number);
         made->slice = good ? (uint32_t)number : 0;

@@ -5,6 +5,7 @@
 #include "describe.h"
 #include "judgement.h"
 #include "place.h"
+#include "print_job.h"
 #include "progress.h"
 #include "verbs.h"
 
@@ -147,7 +148,9 @@ static exit_status check(cli_job *job, part *p)
 {
     judgement j;
     int topples = 0;
-    exit_status status = part_voxelize(job, p);
+    // A job passes by, unless something is asked that takes all of it at once.
+    int passes = p->layers != NULL && !job->options.steepest && !job->options.printing;
+    exit_status status = passes ? EXIT_GOOD : part_voxelize(job, p);
     if (status == EXIT_GOOD) {
         status = part_make_rule(job, p);
     }
@@ -155,7 +158,7 @@ static exit_status check(cli_job *job, part *p)
         return status;
     }
     describe_part(job, p, "check");
-    status = judge(job, p, &j);
+    status = passes ? print_job_judge(job, p, &j) : judge(job, p, &j);
     if (status == EXIT_GOOD) {
         judgement_report(job, p, &j, 0);
         status = job->options.steepest ? look_for_steepest(job, p) : EXIT_GOOD;
@@ -174,7 +177,7 @@ static exit_status check(cli_job *job, part *p)
 exit_status verb_check(cli_job *job)
 {
     part p;
-    exit_status status = part_read(job, &p);
+    exit_status status = part_open(job, &p);
     if (status == EXIT_GOOD) {
         status = check(job, &p);
     }

@@ -107,7 +107,7 @@ static exit_status slice(cli_job *job, part *p)
     describe_part(job, p, "slice");
     status = count_layers(job, p, &counts);
     if (status == EXIT_GOOD && job->options.output != NULL) {
-        status = output_save_stack(job, p, p->grid, job->options.output);
+        status = output_save(job, p, p->grid, job->options.output);
     }
     if (status == EXIT_GOOD) {
         report_layers(job, p, counts);

@@ -7,7 +7,7 @@
 
 #define INPUT_OPTIONS                                                                              \
     (OPTION_RESOLUTION | OPTION_PITCH | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE |    \
-     OPTION_FILL | OPTION_MEMORY)
+     OPTION_FILL | OPTION_MEMORY | OPTION_THRESHOLD)
 #define RULE_OPTIONS (OPTION_ANGLE | OPTION_RULE | OPTION_BED | OPTION_BRIDGE)
 #define HOST_OPTIONS (OPTION_THREADS | OPTION_JSON | OPTION_QUIET)
 #define CHANGE_OPTIONS                                                                             \
@@ -22,7 +22,7 @@
      OPTION_NO_LAPLACIAN | OPTION_TURN | OPTION_REST | OPTION_LAYERS | OPTION_CERTIFICATE |        \
      OPTION_CUT)
 #define MISSED "1 the asked property was not reached"
-#define CHANGE_OUTPUT "a mesh (.stl .obj .ply .3mf .glb), or a folder for layers"
+#define CHANGE_OUTPUT "a mesh (.stl .obj .ply .3mf .glb), a job (.sl1), or a folder for layers"
 
 const verb_entry verbs_table[] = {
     {{"run", "check a part, make it printable in three ways, write a folder", "FILE", 1,
@@ -41,13 +41,13 @@ const verb_entry verbs_table[] = {
           OPTION_PRINTING | OPTION_INNER,
       "  sf check part.stl\n  sf check part.stl --pitch 0.1,0.1,0.05 --angle 50\n"
       "  sf check scene:garden --rule box3 --json\n  sf check part.stl --steepest\n"
-      "  sf check part.stl --printing\n",
+      "  sf check part.stl --printing\n  sf check job.sl1 --threshold 100\n",
       NULL, "1 it does not print without supports, or topples"},
      verb_check},
     {{"trim", "take away what cannot print without supports", "FILE", 0,
       CHANGE_OPTIONS | OPTION_KEEP,
       "  sf trim part.stl -o printable.stl\n  sf trim part.stl --resolution 512 -o layers\n"
-      "  sf trim layers -o printable.ply\n"
+      "  sf trim layers -o printable.ply\n  sf trim job.sl1 -o fixed.sl1\n"
       "  sf trim part.stl -o layers --certificate layers.json\n",
       CHANGE_OUTPUT, MISSED},
      verb_trim},
@@ -125,7 +125,9 @@ const verb_entry verbs_table[] = {
      verb_exchange},
     {{"slice", "the part as a stack of pictures, as it is", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT,
-      "  sf slice part.stl --pitch 0.05 -o layers\n", "folder for the layers", NULL},
+      "  sf slice part.stl --pitch 0.05 -o layers\n"
+      "  sf slice part.stl --pitch 0.05 -o job.sl1\n",
+      "folder for the layers, or a job (.sl1)", NULL},
      verb_slice},
     {{"orient", "which way up does it print best, and why?", "MESH", 0,
       OPTION_RESOLUTION | OPTION_UP | OPTION_UNITS | OPTION_SCALE | OPTION_SIZE | OPTION_FILL |

@@ -185,6 +185,20 @@ static sf_status count_voxels(double low, double high, double pitch, uint32_t *c
     return SF_OK;
 }
 
+// Heights of whole nanometres, where that leaves any; returns whether all are the same.
+static int write_heights(const sf_contour_stack *stack, double *heights_mm)
+{
+    double below = stack->bottom_mm;
+    int is_even = 1;
+    for (uint32_t k = 0; k < stack->layer_count; k++) {
+        double exact = stack->layers[k].top_mm - below, whole = floor(exact * 1e6 + 0.5) / 1e6;
+        heights_mm[k] = whole > 0 ? whole : exact;
+        is_even = is_even && heights_mm[k] == heights_mm[0];
+        below = stack->layers[k].top_mm;
+    }
+    return is_even;
+}
+
 sf_status sf_contour_stack_lattice(const sf_contour_stack *stack, double pitch_x_mm,
                                    double pitch_y_mm, double *heights_mm, size_t capacity,
                                    sf_lattice *lattice)
@@ -205,10 +219,9 @@ sf_status sf_contour_stack_lattice(const sf_contour_stack *stack, double pitch_x
                        pitch_y_mm, 1.0, heights_mm,         {low[0], low[1], stack->bottom_mm}};
     SF_TRY(count_voxels(low[0], high[0], pitch_x_mm, &made.nx));
     SF_TRY(count_voxels(low[1], high[1], pitch_y_mm, &made.ny));
-    double below = stack->bottom_mm;
-    for (uint32_t k = 0; k < stack->layer_count; k++) {
-        heights_mm[k] = stack->layers[k].top_mm - below;
-        below = stack->layers[k].top_mm;
+    if (write_heights(stack, heights_mm)) {
+        made.layer_mm = heights_mm[0];
+        made.heights_mm = NULL;
     }
     SF_TRY(sf_lattice_validate(&made));
     *lattice = made;

@@ -5,6 +5,7 @@
 run trim scene:garden --resolution 24 -o part.stl
 run trim scene:garden --resolution 24 -o part.obj
 run slice scene:garden --resolution 24 -o layers
+run slice scene:garden --resolution 24 -o job.sl1
 box box.obj 10 10 0 30 30 20
 run slice box.obj --pitch 2 -o box
 run trim box -o box.stl
@@ -45,7 +46,7 @@ for verb in run info check trim grow repair preserve hollow stand grade refine t
     same $says "$(case $verb in info | grade | refine | exchange | slice | orient | render) echo no ;; *) echo yes ;; esac)" "$verb --help says what 1 means where there is such an end"
     while read -r line; do
         case $line in # small, so that the test is quick; what is tried is that the line is taken
-        refine* | tetra* | exchange* | info* | *--pitch* | "trim layers"* | "preserve layers"*) extra= ;;
+        refine* | tetra* | exchange* | info* | *--pitch* | "trim layers"* | *job.sl1* | "preserve layers"*) extra= ;;
         *--resolution*) extra= ;;
         *) extra="--resolution 24" ;;
         esac

@@ -35,7 +35,8 @@ from .limits import Limit, Locator, NO_PIECE, Sampler, Slice
 from .mesh import Fill, Mesh, MeshFormat, Voxelizer, orient, surface, voxelize
 from .mixing import Curve, Mixture, Trend
 from .paths import Emitted, Path, PathCost, PathEnd, PathFinder, PathMap, emit
-from .places import Costs, Printing, Voids, complete, costs, culprits, printing, steepest, voids
+from .places import (Costs, Printing, Voids, VoidSearch, complete, costs, culprits, printing,
+                     steepest, voids)
 from .refining import Channel, RefineRules, Refinement, Step, Tets
 from .sculpting import BrushKind, Sculpt, Tip, TipShape, brush_name
 from .sessions import Session, SessionStep, Stroke
@@ -64,8 +65,8 @@ __all__ = [
     "Refinement", "Repaired", "Rule", "Sampler", "Sculpt", "Session", "SessionStep", "ShapeError",
     "Shell", "Slice", "Stack", "Stance", "StanceKind", "Stand", "StandSolver", "Standing", "Step",
     "Stroke", "Tets", "ThreeMF", "ThreemfKind", "Tip", "TipShape", "TooLargeError", "Trend",
-    "Trimmed", "Unbent", "UnsupportedError", "Verdict", "Voids", "Voxelizer", "Weights",
-    "WeightsMethod", "add_bodies", "ballast_body", "body", "brush_name", "carve",
+    "Trimmed", "Unbent", "UnsupportedError", "Verdict", "VoidSearch", "Voids", "Voxelizer",
+    "Weights", "WeightsMethod", "add_bodies", "ballast_body", "body", "brush_name", "carve",
     "center_of_mass", "check", "clearance", "complete", "costs", "cover", "culprits", "density",
     "drain", "emit", "foot", "grow", "halftone", "handle_center", "jobs_have_sl1",
     "known_property", "layer_from_contours", "limit_isa", "load_stack", "material_uses", "orient",

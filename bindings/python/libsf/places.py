@@ -14,6 +14,7 @@ import numpy.typing as npt
 from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Connectivity
+from .layers import Layer
 from .support import BED_AUTO, AnyRule, Checked, _terms
 from .voxel import Grid
 
@@ -47,6 +48,40 @@ def voids(grid: Grid, *, bed_layer: int | None = None, bed_is_open: bool = False
     with running(progress) as task:
         ok(lib.sf_grid_voids(grid._c, options, ffi.NULL, task, report, count))
     return Voids(_core.value(report), _core.Values(places, count[0]))
+
+
+class VoidSearch:
+    """The same of layers as they come, from the bottom up.
+
+        search = libsf.VoidSearch(1440, 2560)
+        for layer in job:
+            search.push(layer)
+        search.finish().report.trap_count
+    """
+
+    @documented("sf_void_search_create")
+    def __init__(self, width: int, height: int, *, bed_layer: int | None = None,
+                 bed_is_open: bool = False, cup_area_min: int = 0, cup_layers_min: int = 0,
+                 limit: int = 1024) -> None:
+        self._places, made = ffi.new("sf_void[]", max(limit, 1)), ffi.new("sf_void_search **")
+        options = _core.options("sf_voids_options", bed_layer=bed(bed_layer),
+                                bed_is_open=int(bed_is_open), cup_area_min=cup_area_min,
+                                cup_layers_min=cup_layers_min, voids=self._places,
+                                void_capacity=limit)
+        ok(lib.sf_void_search_create(options, width, height, ffi.NULL, made))
+        self._c = ffi.gc(made[0], lib.sf_void_search_destroy)
+
+    @documented("sf_void_search_push")
+    def push(self, layer: Layer) -> None:
+        """The next layer."""
+        ok(lib.sf_void_search_push(self._c, layer._c))
+
+    @documented("sf_void_search_finish")
+    def finish(self) -> Voids:
+        """What was found; the search takes no more layers."""
+        report, count = ffi.new("sf_voids_report *"), ffi.new("size_t *")
+        ok(lib.sf_void_search_finish(self._c, report, count))
+        return Voids(_core.value(report), _core.Values(self._places, count[0]))
 
 
 # --- Overhangs ----------------------------------------------------------------------------------

@@ -44,6 +44,18 @@ class Jobs(unittest.TestCase):
         with self.assertRaisesRegex(libsf.FormatError, "cut short|does not lie"):
             libsf.Job(photon(self.array)[:-5])
 
+    def test_voids_as_layers_come(self):
+        array = np.ones((5, 6, 6), bool)
+        array[1:3, 2:4, 2:4] = array[3:, 1, 1] = False
+        grid = libsf.Grid.from_array(array)
+        search = libsf.VoidSearch(6, 6)
+        for k in range(5):
+            search.push(libsf.Layer.of(grid, k))
+        found, whole = search.finish(), libsf.voids(grid)
+        self.assertEqual(found.report, whole.report)
+        self.assertEqual([v.vent_layer for v in found.voids], [v.vent_layer for v in whole.voids])
+        self.assertEqual((found.report.trap_count, found.report.cup_count), (1, 1))
+
     @unittest.skipUnless(libsf.jobs_have_sl1(), "this build has no SL1")
     def test_sl1(self):
         grid = libsf.Grid.from_array(self.array, pitch_mm=(0.1, 0.2), layer_mm=0.05)

@@ -175,12 +175,13 @@ SF_API SF_CHECKED sf_status sf_contour_stack_layer(const sf_contour_stack *stack
 /**
  * A lattice that holds all contours of a stack, one layer each.
  *
- * Its corner is the least x, y and z; it ends at the first voxel beyond the greatest.
+ * Its corner is the least x, y and z; it ends at the first voxel beyond the greatest. Heights are
+ * rounded to nanometres, as sums of decimals need it; where all are the same, one stands for them.
  *
  * @param stack       the stack
  * @param pitch_x_mm  voxel size along x, above 0
  * @param pitch_y_mm  voxel size along y, above 0
- * @param heights_mm  receives a height for each layer, and is kept by the lattice
+ * @param heights_mm  receives a height for each layer; kept by the lattice where they differ
  * @param capacity    places in heights_mm, at least sf_contour_stack_count()
  * @param lattice     receives the lattice
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a pitch that cannot be, a stack without layers or

@@ -186,6 +186,62 @@ SF_API SF_CHECKED sf_status sf_grid_voids(const sf_grid *grid, const sf_voids_op
                                           const sf_allocator *allocator, sf_task *task,
                                           sf_voids_report *report, size_t *void_count);
 
+/** A search for voids in layers as they come, from the bottom up. It owns its memory. */
+typedef struct sf_void_search sf_void_search;
+
+/**
+ * Begin a search for voids in layers that are pushed one at a time.
+ *
+ * @param options    bed, thresholds, array; copied, and the array must stay
+ * @param width      of the layers, 1..SF_EXTENT_MAX
+ * @param height     of the layers, 1..SF_EXTENT_MAX
+ * @param allocator  for the search, as sf_grid_voids() takes it; NULL for the C library's
+ * @param search     receives the search
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a capacity
+ * without an array, an extent outside its range; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+ * @cost a layer of new memory.   @threads any; one at a time for each allocator.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_void_search_create(const sf_voids_options *options, uint32_t width,
+                                                  uint32_t height, const sf_allocator *allocator,
+                                                  sf_void_search **search);
+
+/**
+ * Push the next layer.
+ *
+ * @param search  the search; after SF_ERR_MEMORY or SF_ERR_OVERFLOW it may only be destroyed
+ * @param layer   a slice of its width and height; read only
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, a search that is finished;
+ * SF_ERR_SHAPE: another size; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+ * @cost one pass over the layer, and nearly linear in the runs of empty voxels.   @threads one per
+ * search.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_void_search_push(sf_void_search *search, sf_slice layer);
+
+/**
+ * Say what was found: what sf_grid_voids() says of a grid of these layers.
+ *
+ * @param search      the search, which takes no more layers
+ * @param report      the counts
+ * @param void_count  voids in the caller's array; may be NULL
+ * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a search that is finished; SF_ERR_MEMORY, or
+ * what a push returned before.
+ * @cost the voids.   @threads one per search.
+ * @since 0.1
+ */
+SF_API SF_CHECKED sf_status sf_void_search_finish(sf_void_search *search, sf_voids_report *report,
+                                                  size_t *void_count);
+
+/**
+ * Free a search.
+ *
+ * @param search  the search, freed; NULL does nothing
+ * @cost constant.   @threads one, and nobody else with this search.
+ * @since 0.1
+ */
+SF_API void sf_void_search_destroy(sf_void_search *search);
+
 #ifdef __cplusplus
 }
 #endif

@@ -49,13 +49,13 @@ typedef struct cavity {
     sf_box box;
 } cavity;
 
-typedef struct search {
-    const sf_grid *grid;
-    const sf_voids_options *options;
+struct sf_void_search {
+    sf_voids_options options;
     sf_allocator allocator;
-    sf_lattice lattice;
-    uint32_t bed;
-    sf_slice empty; // of the latest layer
+    uint32_t layer;    // the next one, counted from 0
+    uint32_t bed;      // SF_BED_AUTO until there is matter
+    sf_status failure; // of a push, after which the sets are of no more use
+    sf_slice empty;    // of the latest layer
     size_t empty_words;
     sfi_layered sets;         // of empty voxels
     cavity *cavities, *spare; // of each node
@@ -64,7 +64,9 @@ typedef struct search {
     sf_void *found;
     size_t found_capacity, found_count;
     sf_voids_report report;
-} search;
+};
+
+typedef sf_void_search search;
 
 static cavity *root_of(const search *s, uint32_t i)
 {
@@ -75,10 +77,9 @@ static cavity *root_of(const search *s, uint32_t i)
 // One layer
 // ---------------------------------------------------------------------------------------------
 
-// What is empty in layer k.
-static void complement(search *s, uint32_t k)
+// What is empty in a layer.
+static void complement(search *s, sf_slice solid)
 {
-    sf_slice solid = sf_grid_slice(s->grid, k);
     size_t words = sfi_row_words(solid.width);
     for (uint32_t y = 0; y < solid.height; y++) {
         const uint64_t *in = sfi_slice_row(solid, y);
@@ -94,7 +95,7 @@ static void complement(search *s, uint32_t k)
 static sf_status add_cavities(search *s, uint32_t k)
 {
     const sfi_layered *sets = &s->sets;
-    uint8_t below_is_open = s->options->bed_is_open && k == s->bed;
+    uint8_t below_is_open = s->options.bed_is_open && k == s->bed;
     if (!sfi_grow_array(&s->allocator, (void **)&s->cavities, &s->cavity_capacity, sets->count,
                         sizeof *s->cavities)) {
         return SF_ERR_MEMORY;
@@ -109,8 +110,8 @@ static sf_status add_cavities(search *s, uint32_t k)
         sf_rect rect = {run->x0, run->y, run->x1, run->y + 1};
         c->box = sfi_box_union(c->box, rect, k);
         c->here += run->x1 - run->x0;
-        c->is_vented |=
-            run->x0 == 0 || run->x1 == s->lattice.nx || run->y == 0 || run->y + 1 == s->lattice.ny;
+        c->is_vented |= run->x0 == 0 || run->x1 == s->empty.width || run->y == 0 ||
+                        run->y + 1 == s->empty.height;
     }
     return SF_OK;
 }
@@ -124,15 +125,15 @@ static sf_status name(search *s, const cavity *c, sf_void_kind kind, uint32_t ve
     if (kind == SF_VOID_TRAP) {
         s->report.trap_count++;
         s->report.trap_voxels += c->volume;
-    } else if (c->area < s->options->cup_area_min ||
-               c->box.z1 - c->box.z0 < s->options->cup_layers_min) {
+    } else if (c->area < s->options.cup_area_min ||
+               c->box.z1 - c->box.z0 < s->options.cup_layers_min) {
         s->report.small_cup_count++;
         return SF_OK;
     } else {
         s->report.cup_count++;
         s->report.cup_voxels += c->volume;
     }
-    if (s->found_count == s->options->void_capacity) {
+    if (s->found_count == s->options.void_capacity) {
         s->report.voids_dropped++;
         return SF_OK;
     }
@@ -229,9 +230,9 @@ static sf_status renumber(search *s)
 // The sweep
 // ---------------------------------------------------------------------------------------------
 
-static sf_status take_layer(search *s, uint32_t k)
+static sf_status take_layer(search *s, sf_slice solid, uint32_t k)
 {
-    complement(s, k);
+    complement(s, solid);
     SF_TRY(sfi_layered_push(&s->sets, s->empty));
     SF_TRY(add_cavities(s, k));
     look_at_sets(s);
@@ -244,44 +245,10 @@ static sf_status end(search *s)
 {
     for (uint32_t i = 0; i < s->sets.old; i++) {
         if (!s->cavities[i].is_vented) {
-            SF_TRY(name(s, &s->cavities[i], SF_VOID_CUP, s->lattice.nz));
+            SF_TRY(name(s, &s->cavities[i], SF_VOID_CUP, s->layer));
         }
     }
     return SF_OK;
-}
-
-static sf_status sweep(search *s, sf_task *task)
-{
-    sfi_progress progress = sfi_progress_begin(task);
-    s->empty.width = s->lattice.nx;
-    s->empty.height = s->lattice.ny;
-    s->empty.stride = sfi_row_words(s->lattice.nx);
-    if (!sfi_size_mul(s->empty.stride, s->lattice.ny, &s->empty_words)) {
-        return SF_ERR_OVERFLOW;
-    }
-    s->empty.words = sfi_alloc_array(&s->allocator, s->empty_words, sizeof *s->empty.words);
-    if (s->empty.words == NULL) {
-        return SF_ERR_MEMORY;
-    }
-    for (uint32_t k = s->bed; k < s->lattice.nz; k++) {
-        if (sf_task_is_cancelled(task)) {
-            return SF_ERR_CANCELLED;
-        }
-        SF_TRY(take_layer(s, k));
-        sfi_progress_report(&progress, k + 1 - s->bed, s->lattice.nz - s->bed);
-    }
-    return end(s);
-}
-
-static void release(search *s)
-{
-    const sf_allocator *a = &s->allocator;
-    sfi_free_array(a, s->empty.words, s->empty_words, sizeof *s->empty.words);
-    sfi_layered_release(&s->sets);
-    sfi_free_array(a, s->number, s->number_capacity, sizeof *s->number);
-    sfi_free_array(a, s->cavities, s->cavity_capacity, sizeof *s->cavities);
-    sfi_free_array(a, s->spare, s->spare_capacity, sizeof *s->spare);
-    sfi_free_array(a, s->found, s->found_capacity, sizeof *s->found);
 }
 
 sf_voids_options sf_voids_options_default(void)
@@ -290,34 +257,136 @@ sf_voids_options sf_voids_options_default(void)
     return options;
 }
 
+// ---------------------------------------------------------------------------------------------
+// A search under way
+// ---------------------------------------------------------------------------------------------
+
+static sf_status check_options(const sf_voids_options *options)
+{
+    return options == NULL || options->struct_size < sizeof *options ||
+                   (options->voids == NULL && options->void_capacity > 0) ||
+                   (options->bed_layer != SF_BED_AUTO && options->bed_layer >= SF_LAYER_MAX)
+               ? SF_ERR_ARGUMENT
+               : SF_OK;
+}
+
+sf_status sf_void_search_create(const sf_voids_options *options, uint32_t width, uint32_t height,
+                                const sf_allocator *allocator, sf_void_search **made)
+{
+    SF_TRY(check_options(options));
+    if (made == NULL || width < 1 || width > SF_EXTENT_MAX || height < 1 ||
+        height > SF_EXTENT_MAX) {
+        return SF_ERR_ARGUMENT;
+    }
+    search fresh = {.options = *options, .bed = options->bed_layer};
+    fresh.allocator = fresh.sets.allocator = sfi_allocator_or_default(allocator);
+    fresh.sets.connectivity = SF_CONNECT_EDGES;
+    fresh.report.bed_layer = options->bed_layer;
+    fresh.empty.width = width;
+    fresh.empty.height = height;
+    fresh.empty.stride = sfi_row_words(width);
+    if (!sfi_size_mul(fresh.empty.stride, height, &fresh.empty_words)) {
+        return SF_ERR_OVERFLOW;
+    }
+    search *s = sfi_alloc_array(&fresh.allocator, 1, sizeof *s);
+    if (s == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    *s = fresh;
+    s->empty.words = sfi_alloc_array(&s->allocator, s->empty_words, sizeof *s->empty.words);
+    if (s->empty.words == NULL) {
+        sf_void_search_destroy(s);
+        return SF_ERR_MEMORY;
+    }
+    *made = s;
+    return SF_OK;
+}
+
+void sf_void_search_destroy(sf_void_search *s)
+{
+    if (s != NULL) {
+        sf_allocator a = s->allocator;
+        sfi_free_array(&a, s->empty.words, s->empty_words, sizeof *s->empty.words);
+        sfi_layered_release(&s->sets);
+        sfi_free_array(&a, s->number, s->number_capacity, sizeof *s->number);
+        sfi_free_array(&a, s->cavities, s->cavity_capacity, sizeof *s->cavities);
+        sfi_free_array(&a, s->spare, s->spare_capacity, sizeof *s->spare);
+        sfi_free_array(&a, s->found, s->found_capacity, sizeof *s->found);
+        sfi_free_array(&a, s, 1, sizeof *s);
+    }
+}
+
+sf_status sf_void_search_push(sf_void_search *s, sf_slice layer)
+{
+    if (s == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    SF_TRY(s->failure);
+    SF_TRY(sfi_slice_validate_pair(layer, s->empty));
+    if (s->layer == SF_LAYER_MAX) {
+        return SF_ERR_OVERFLOW;
+    }
+    if (s->bed == SF_BED_AUTO && sfi_slice_any(layer)) {
+        s->bed = s->report.bed_layer = s->layer;
+    }
+    if (s->layer >= s->bed) {
+        s->failure = take_layer(s, layer, s->layer);
+        SF_TRY(s->failure);
+    }
+    s->layer++;
+    return SF_OK;
+}
+
+sf_status sf_void_search_finish(sf_void_search *s, sf_voids_report *report, size_t *void_count)
+{
+    if (s == NULL || report == NULL) {
+        return SF_ERR_ARGUMENT;
+    }
+    SF_TRY(s->failure);
+    s->failure = end(s);
+    SF_TRY(s->failure);
+    for (size_t i = 0; i < s->found_count; i++) {
+        s->options.voids[i] = s->found[i];
+    }
+    *report = s->report;
+    if (void_count != NULL) {
+        *void_count = s->found_count;
+    }
+    s->failure = SF_ERR_ARGUMENT; // what is finished takes nothing more
+    return SF_OK;
+}
+
+static sf_status sweep(search *s, const sf_grid *grid, uint32_t nz, sf_task *task)
+{
+    sfi_progress progress = sfi_progress_begin(task);
+    for (uint32_t k = 0; k < nz; k++) {
+        if (sf_task_is_cancelled(task)) {
+            return SF_ERR_CANCELLED;
+        }
+        SF_TRY(sf_void_search_push(s, sf_grid_slice(grid, k)));
+        sfi_progress_report(&progress, k + 1, nz);
+    }
+    return SF_OK;
+}
+
 sf_status sf_grid_voids(const sf_grid *grid, const sf_voids_options *options,
                         const sf_allocator *allocator, sf_task *task, sf_voids_report *report,
                         size_t *void_count)
 {
-    if (grid == NULL || options == NULL || report == NULL ||
-        options->struct_size < sizeof *options ||
-        (options->voids == NULL && options->void_capacity > 0)) {
+    sf_void_search *s = NULL;
+    if (grid == NULL || report == NULL) {
         return SF_ERR_ARGUMENT;
     }
+    SF_TRY(check_options(options));
     sf_lattice lattice = sf_grid_lattice(grid);
     if (options->bed_layer != SF_BED_AUTO && options->bed_layer >= lattice.nz) {
         return SF_ERR_ARGUMENT;
     }
-    search s = {.grid = grid, .options = options, .lattice = lattice};
-    s.allocator = s.sets.allocator = sfi_allocator_or_default(allocator);
-    s.sets.connectivity = SF_CONNECT_EDGES;
-    s.bed = options->bed_layer == SF_BED_AUTO ? sfi_first_matter(grid) : options->bed_layer;
-    s.report.bed_layer = s.bed < lattice.nz ? s.bed : SF_BED_AUTO;
-    sf_status status = sweep(&s, task);
+    SF_TRY(sf_void_search_create(options, lattice.nx, lattice.ny, allocator, &s));
+    sf_status status = sweep(s, grid, lattice.nz, task);
     if (status == SF_OK) {
-        for (size_t i = 0; i < s.found_count; i++) {
-            options->voids[i] = s.found[i];
-        }
-        *report = s.report;
-        if (void_count != NULL) {
-            *void_count = s.found_count;
-        }
+        status = sf_void_search_finish(s, report, void_count);
     }
-    release(&s);
+    sf_void_search_destroy(s);
     return status;
 }

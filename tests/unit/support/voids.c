@@ -366,6 +366,60 @@ static void failing_calls_change_nothing(void)
     sf_grid_destroy(grid);
 }
 
+// Pushed one at a time the layers say the same; a search that is finished, or short of memory,
+// takes nothing more.
+static void layers_as_they_come(void)
+{
+    static stack s;
+    static sf_void voids[VOIDS], whole[VOIDS];
+    sf_voids_options options = sf_voids_options_default();
+    sf_voids_report report, expected;
+    size_t count = 0, whole_count = 0;
+    sf_void_search *search = NULL;
+    sf_slice none = {NULL, 0, 0, 0};
+    stack_random(&s, 12, 12, 6, 0.75);
+    sf_grid *grid = stack_grid(&s);
+    options.voids = whole;
+    options.void_capacity = VOIDS;
+    CHECK_EQ(sf_grid_voids(grid, &options, NULL, NULL, &expected, &whole_count), SF_OK);
+    options.voids = voids;
+    CHECK_EQ(sf_void_search_create(&options, 0, 12, NULL, &search), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_void_search_create(&options, 12, 12, NULL, NULL), SF_ERR_ARGUMENT);
+    CHECK_EQ(sf_void_search_push(NULL, none), SF_ERR_ARGUMENT);
+    sf_status status = SF_ERR_MEMORY;
+    long k = 0;
+    for (; status == SF_ERR_MEMORY && k < 100; k++) {
+        failing_allocator f;
+        failing_begin(&f, k);
+        search = NULL;
+        status = sf_void_search_create(&options, 12, 12, &f.allocator, &search);
+        for (uint32_t z = 0; status == SF_OK && z < 6; z++) {
+            status = sf_void_search_push(search, sf_grid_slice(grid, z));
+            if (status != SF_OK) {
+                CHECK_EQ(sf_void_search_push(search, sf_grid_slice(grid, z)), status);
+            }
+        }
+        if (status == SF_OK) {
+            CHECK_EQ(sf_void_search_push(search, none), SF_ERR_ARGUMENT);
+            CHECK_EQ(sf_void_search_finish(search, NULL, NULL), SF_ERR_ARGUMENT);
+            status = sf_void_search_finish(search, &report, &count);
+        }
+        if (status == SF_OK) {
+            CHECK_EQ(sf_void_search_push(search, sf_grid_slice(grid, 0)), SF_ERR_ARGUMENT);
+            CHECK_EQ(sf_void_search_finish(search, &report, &count), SF_ERR_ARGUMENT);
+        }
+        sf_void_search_destroy(search);
+        CHECK(f.live == 0 && f.faults == 0);
+    }
+    CHECK(status == SF_OK && k > 5 && count == whole_count && count > 0);
+    CHECK(memcmp(&report, &expected, sizeof report) == 0);
+    for (size_t i = 0; i < count; i++) {
+        same_void(&voids[i], &whole[i]);
+    }
+    sf_void_search_destroy(NULL);
+    sf_grid_destroy(grid);
+}
+
 static void nothing_at_all(void)
 {
     sf_grid *grid = grid_of(5, 4, 3);
@@ -385,6 +439,7 @@ int main(void)
     TEST(wide_shapes);
     TEST(small_cups_are_counted_apart);
     TEST(failing_calls_change_nothing);
+    TEST(layers_as_they_come);
     TEST(nothing_at_all);
     return test_finish();
 }
