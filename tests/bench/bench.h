@@ -50,5 +50,6 @@ void bench_handles(void);
 void bench_halftone(void);
 void bench_grade(void);
 void bench_sculpt(void);
+void bench_jobs(void);
 
 #endif

@@ -172,6 +172,7 @@ int main(int argc, char **argv)
     bench_handles();
     bench_halftone();
     bench_grade();
+    bench_jobs();
     bench_sculpt();
     bench_sums();
     bench_repair();

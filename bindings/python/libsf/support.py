@@ -155,12 +155,14 @@ class Checker:
     @documented("sf_checker_place")
     def __init__(self, width: int, height: int, rule: AnyRule = "box3", *,
                  pitch_mm: float | tuple[float, float] = 1.0, layer_mm: float = 1.0,
-                 bed_layer: int | None = None, findings: int = 1024) -> None:
+                 bed_layer: int | None = None, findings: int = 1024, layer_runs: int = 0) -> None:
+        """`layer_runs`: a layer pushed as at most that many runs, which all rest, is not painted."""
         lattice = Lattice(width, height, 1, pitch_mm, layer_mm)  # type: ignore[arg-type]
         self._lattice = lattice
         self._rule = _rule(rule, lattice)
         self._options, self._places = _check_options(self._rule, width, height, 0, bed_layer,
                                                      findings)
+        self._options.layer_run_capacity = layer_runs
         size, made = ffi.new("size_t *"), ffi.new("sf_checker **")
         ok(lib.sf_checker_size(self._options, size))
         self._memory = ffi.new("char[]", size[0] + 64)

@@ -44,6 +44,21 @@ class Jobs(unittest.TestCase):
         with self.assertRaisesRegex(libsf.FormatError, "cut short|does not lie"):
             libsf.Job(photon(self.array)[:-5])
 
+    def test_runs_and_bits_say_the_same(self):
+        array = np.zeros((6, 20, 50), bool)
+        for k in range(6):
+            array[k, 5:15, 10 + k:30 + k] = True
+        array[3:, 2, 2:4] = True
+        reports = []
+        for layer_runs in (0, 5, 1000):
+            checker = libsf.Checker(50, 20, layer_runs=layer_runs)
+            for layer in array:
+                checker.push_runs(libsf.Layer.from_array(layer).runs())
+            reports.append(checker.report().report)
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual(reports[0], reports[2])
+        self.assertEqual(reports[0].unsupported_voxels, 2)
+
     def test_voids_as_layers_come(self):
         array = np.ones((5, 6, 6), bool)
         array[1:3, 2:4, 2:4] = array[3:, 1, 1] = False

@@ -168,6 +168,8 @@ typedef struct sf_check_options {
                                   only; but in sf_grid_check() as many as it takes */
     sf_finding *findings;    /**< the caller's array, or NULL for counts only (default) */
     size_t finding_capacity; /**< places in it */
+    uint32_t layer_run_capacity; /**< a layer pushed as at most that many runs is not painted where
+                                      all rests; 0 (default): all are */
 } sf_check_options;
 
 /**
@@ -195,7 +197,8 @@ typedef struct sf_checker sf_checker;
  * Bytes of memory that sf_checker_place() needs for these options.
  *
  * About four slices (under slack 36, with bridges four more), 42 bytes for each column, and with
- * findings 32 bytes for each run of run_capacity and 4 for each column.
+ * findings 32 bytes for each run of run_capacity and 4 for each column; 16 for each run of
+ * layer_run_capacity, and with that 4 for each row.
  *
  * @param options  the options that the checker will be placed with
  * @param size     the bytes
@@ -204,8 +207,7 @@ typedef struct sf_checker sf_checker;
  * below the first, a capacity without findings, a rule that sf_rule_make() did not make or that
  * does not serve the first layer; SF_ERR_OVERFLOW: a capacity of 2^31 - 1 or more, or a size that
  * does not fit the machine.
- * @cost constant.   @threads any.
- * @since 0.1
+ * @cost constant.   @threads any.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_checker_size(const sf_check_options *options, size_t *size);
 
@@ -221,8 +223,7 @@ SF_API SF_CHECKED sf_status sf_checker_size(const sf_check_options *options, siz
  * @param checker      the checker, which lies in `memory`
  * @return SF_OK; what sf_checker_size() says; SF_ERR_ARGUMENT: a NULL pointer, memory that is not
  * aligned; SF_ERR_CAPACITY: too little memory.
- * @cost O(width * height / 64), under slack O(width * height).   @threads any.
- * @since 0.1
+ * @cost O(width * height / 64), under slack O(width * height).   @threads any.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_checker_place(const sf_check_options *options, void *memory,
                                              size_t memory_size, sf_checker **checker);
@@ -258,8 +259,8 @@ SF_API SF_CHECKED sf_status sf_checker_push(sf_checker *checker, sf_slice layer)
  * @param count    number of runs
  * @return as sf_checker_push(); SF_ERR_ARGUMENT also: runs that are empty, leave the slice or are
  * out of order.
- * @cost as sf_checker_push(), and O(count).   @threads one per checker.
- * @since 0.1
+ * @cost O(count) where layer_run_capacity serves; else as sf_checker_push() too.
+ * @threads one per checker.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_checker_push_runs(sf_checker *checker, const sf_run *runs,
                                                  size_t count);
@@ -304,8 +305,7 @@ SF_API SF_CHECKED sf_status sf_checker_push_contours(sf_checker *checker, const 
  * @param report         the counts
  * @param finding_count  findings in the caller's array; may be NULL
  * @return SF_OK; SF_ERR_ARGUMENT: a NULL pointer.
- * @cost constant.   @threads one per checker.
- * @since 0.1
+ * @cost constant.   @threads one per checker.   @since 0.1
  */
 SF_API SF_CHECKED sf_status sf_checker_report(const sf_checker *checker, sf_check_report *report,
                                               size_t *finding_count);

@@ -16,6 +16,9 @@
 // looked for in it, it waits in a slice of its own. Bits, runs and grey rows differ in how they
 // paint only.
 //
+// Where there is room for a layer's runs, one that is pushed as runs and rests whole on the one
+// below is not painted at all (run_front.c); the bits are, from the runs, when they are next used.
+//
 // A push checks everything, the rule's step included, before it paints anything; so one that fails
 // can be put right and pushed again.
 //
@@ -30,6 +33,7 @@
 #include "base/size.h"
 #include "base/status.h"
 #include "support/check/finding.h"
+#include "support/check/run_front.h"
 #include "support/rule/carry.h"
 #include "support/rule/rule.h"
 #include "voxel/slice.h"
@@ -43,6 +47,8 @@ struct sf_checker {
     sfi_front carried, kept;     // C and T of the one being pushed
     sf_slice painted;            // bridges: the layer being pushed
     uint64_t below_lost;         // voxels of S \ T of the last layer
+    sfi_run_front runs;          // the last layer, where it came as runs
+    int is_painted;              // whether below and below_kept are the last layer
     int is_apart;           // whether T of the last layer differs from S, or in what it can spare
     sf_check_report report; // all but the findings' counts
     sfi_finder finder;
@@ -117,6 +123,18 @@ static void carve_carrier(carver *c, const sf_check_options *o, sf_checker *chec
     }
 }
 
+// Slack and bridges look at more than the runs of two layers.
+static void carve_runs(carver *c, const sf_check_options *o, sfi_run_front *f)
+{
+    const sf_bridge *b = &o->rule.bridge;
+    int has_more = o->rule.kind == SF_RULE_SLACK || (b->span_x | b->span_y | b->span_diagonal) != 0;
+    uint32_t capacity = has_more ? 0 : o->layer_run_capacity;
+    sfi_run_front made = {NULL, NULL, capacity, 0, o->height, 0};
+    made.runs = carve(c, capacity, sizeof *made.runs);
+    made.rows = carve(c, capacity > 0 ? (size_t)o->height + 1 : 0, sizeof *made.rows);
+    *f = made;
+}
+
 static void carve_checker(carver *c, const sf_check_options *o, sf_checker *checker)
 {
     (void)carve(c, 1, sizeof *checker);
@@ -126,6 +144,7 @@ static void carve_checker(carver *c, const sf_check_options *o, sf_checker *chec
     checker->kept = carve_front(c, o);
     carve_carrier(c, o, checker);
     carve_finder(c, o, &checker->finder);
+    carve_runs(c, o, &checker->runs);
 }
 
 static sf_status check_options(const sf_check_options *o)
@@ -137,7 +156,8 @@ static sf_status check_options(const sf_check_options *o)
          (o->bed_layer < o->first_layer || o->bed_layer >= SF_LAYER_MAX))) {
         return SF_ERR_ARGUMENT;
     }
-    if (o->finding_capacity > SFI_FINDING_MAX || o->run_capacity > SFI_FINDING_MAX) {
+    if (o->finding_capacity > SFI_FINDING_MAX || o->run_capacity > SFI_FINDING_MAX ||
+        o->layer_run_capacity > SFI_FINDING_MAX) {
         return SF_ERR_OVERFLOW;
     }
     return sfi_rule_check(&o->rule, o->first_layer, 1);
@@ -145,7 +165,7 @@ static sf_status check_options(const sf_check_options *o)
 
 sf_check_options sf_check_options_default(void)
 {
-    sf_check_options o = {sizeof o, sf_rule_box3(), 0, 0, 0, SF_BED_AUTO, 0, NULL, 0};
+    sf_check_options o = {sizeof o, sf_rule_box3(), 0, 0, 0, SF_BED_AUTO, 0, NULL, 0, 0};
     return o;
 }
 
@@ -180,6 +200,7 @@ sf_status sf_checker_place(const sf_check_options *options, void *memory, size_t
     sf_checker fresh = {.first_layer = options->first_layer, .memory = memory, .memory_size = size};
     fresh.report.bed_layer = options->bed_layer;
     carve_checker(&c, options, &fresh);
+    fresh.is_painted = 1;
     *checker = memory;
     **checker = fresh;
     return SF_OK;
@@ -319,6 +340,39 @@ static sf_status go_on_with(sf_checker *c, const source *s)
     return sfi_carry_anyway(&c->carrier, c->below.alive, c->below);
 }
 
+// The last layer, which stands in its runs only, as bits.
+static sf_status paint_below(sf_checker *c)
+{
+    source s = {{NULL, 0, 0, 0}, c->runs.runs, c->runs.count, NULL, 0, 0};
+    c->is_painted = 1;
+    SF_TRY(paint(&s, c->below.alive));
+    return sf_slice_copy(c->below_kept.alive, c->below.alive);
+}
+
+// Whether a layer is known to lose nothing, by runs alone; then it is taken in, unpainted.
+static int rests(sf_checker *c, const source *s, uint32_t k, const sf_element *element)
+{
+    uint32_t bed = c->report.bed_layer;
+    int has_runs = s->bits.words == NULL && s->pixels == NULL && c->runs.capacity > 0;
+    if (!has_runs || s->run_count > c->runs.capacity || c->is_apart) {
+        return 0;
+    }
+    if (bed == SF_BED_AUTO) {
+        c->report.bed_layer = s->run_count > 0 ? k : SF_BED_AUTO;
+    } else if (k < bed ||
+               (k > bed && !(c->runs.is_valid &&
+                             sfi_run_front_carries(&c->runs, s->runs, s->run_count, element)))) {
+        return 0;
+    }
+    for (size_t i = 0; i < s->run_count; i++) {
+        c->report.solid_voxels += s->runs[i].x1 - s->runs[i].x0;
+    }
+    c->report.layer_count++;
+    c->is_painted = 0;
+    sfi_run_front_take(&c->runs, s->runs, s->run_count);
+    return 1;
+}
+
 static sf_status push(sf_checker *c, const source *s)
 {
     uint32_t k = c->first_layer + c->report.layer_count;
@@ -328,6 +382,12 @@ static sf_status push(sf_checker *c, const source *s)
     }
     if (c->report.layer_count > 0) {
         SF_TRY(sf_rule_element(&c->carrier.rule, k - 1, &element));
+    }
+    if (rests(c, s, k, &element)) {
+        return SF_OK;
+    }
+    if (!c->is_painted) {
+        SF_TRY(paint_below(c));
     }
     sf_slice solid = s->bits;
     if (solid.words == NULL) {
@@ -354,6 +414,10 @@ static sf_status push(sf_checker *c, const source *s)
     take_in(c, k, &element);
     // Under slack a loss below can still tell where in this layer nothing was lost.
     c->is_apart = c->below_lost > 0 || (c->is_apart && has_other_slack(c));
+    c->runs.is_valid = 0;
+    if (s->bits.words == NULL && s->pixels == NULL) {
+        sfi_run_front_take(&c->runs, s->runs, s->run_count);
+    }
     return SF_OK;
 }
 

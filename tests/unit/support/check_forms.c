@@ -48,7 +48,10 @@ static size_t layer_grey(const stack *s, int z, uint8_t threshold)
 static void push_form(pushed *p, const stack *s, const sf_check_options *o, uint32_t form)
 {
     void *block;
-    sf_checker *checker = checker_new(o, &block);
+    sf_check_options mine = *o;
+    static const uint32_t rooms[4] = {0, 3, 40, 100000}; // for the runs of a layer that rests
+    mine.layer_run_capacity = rooms[test_random_below(4)];
+    sf_checker *checker = checker_new(&mine, &block);
     for (int z = 0; z < s->nz; z++) {
         uint32_t f = form < 3 ? form : test_random_below(3);
         if (f == 0) {
