@@ -29,7 +29,7 @@ class Contours(unittest.TestCase):
         self.assertEqual((stack[1].bottom_mm, stack[1].top_mm), (2.25, 2.5))
         np.testing.assert_array_equal(stack[0].polygons[0], SQUARE)
         lattice = stack.lattice((0.5, 1.0))
-        self.assertEqual((lattice.shape, lattice.layer_mm), ((2, 5, 9), (0.25, 0.25)))
+        self.assertEqual((lattice.shape, lattice.layer_mm), ((2, 5, 9), 0.25))
         self.assertEqual(stack.grid(lattice).count(), 24)
         with self.assertRaisesRegex(libsf.ArgumentError, "below"):
             stack.add(2.5, [SQUARE])
