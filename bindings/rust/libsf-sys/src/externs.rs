@@ -626,6 +626,13 @@ pub struct sf_tets {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// A search for voids in layers as they come, from the bottom up. It owns its memory.
+#[repr(C)]
+pub struct sf_void_search {
+    _nothing: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
 /// Finds closest supporting paths in a grid, one at a time.
 #[repr(C)]
 pub struct sf_path_finder {
@@ -1758,6 +1765,9 @@ pub struct sf_check_options {
     pub findings: *mut sf_finding,
     /// places in it
     pub finding_capacity: usize,
+    /// a layer pushed as at most that many runs is not painted where all rests; 0 (default): all
+    /// are
+    pub layer_run_capacity: u32,
 }
 
 /// How steep the overhangs of a shape are.
@@ -2282,6 +2292,18 @@ pub struct sf_tets_view {
     pub channel_count: usize,
     /// their indices are of tetrahedra's corners, in this order
     pub channels: *const sf_channel,
+}
+
+/// What sf_tets_spread() did.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct sf_spread_report {
+    /// points that kept their values
+    pub fixed: usize,
+    /// of the solver
+    pub iterations: u32,
+    /// what is left of the largest force on a free point, as a part of the largest at the start
+    pub residual: f64,
 }
 
 /// What sf_tets_check() finds.
@@ -5736,12 +5758,14 @@ extern "C" {
 
     /// A lattice that holds all contours of a stack, one layer each.
     ///
-    /// Its corner is the least x, y and z; it ends at the first voxel beyond the greatest.
+    /// Its corner is the least x, y and z; it ends at the first voxel beyond the greatest. Heights
+    /// are rounded to nanometres, as sums of decimals need it; where all are the same, one stands
+    /// for them.
     ///
     /// - `stack`: the stack
     /// - `pitch_x_mm`: voxel size along x, above 0
     /// - `pitch_y_mm`: voxel size along y, above 0
-    /// - `heights_mm`: receives a height for each layer, and is kept by the lattice
+    /// - `heights_mm`: receives a height for each layer; kept by the lattice where they differ
     /// - `capacity`: places in heights_mm, at least sf_contour_stack_count()
     /// - `lattice`: receives the lattice
     /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a pitch that cannot be, a stack without
@@ -6002,7 +6026,8 @@ extern "C" {
     /// Bytes of memory that sf_checker_place() needs for these options.
     ///
     /// About four slices (under slack 36, with bridges four more), 42 bytes for each column, and
-    /// with findings 32 bytes for each run of run_capacity and 4 for each column.
+    /// with findings 32 bytes for each run of run_capacity and 4 for each column; 16 for each run
+    /// of layer_run_capacity, and with that 4 for each row.
     ///
     /// - `options`: the options that the checker will be placed with
     /// - `size`: the bytes
@@ -6068,7 +6093,7 @@ extern "C" {
     /// - `count`: number of runs
     /// - returns: as sf_checker_push(); SF_ERR_ARGUMENT also: runs that are empty, leave the slice
     ///   or are out of order.
-    /// - cost: as sf_checker_push(), and O(count).
+    /// - cost: O(count) where layer_run_capacity serves; else as sf_checker_push() too.
     /// - threads: one per checker.
     /// - since: 0.1
     #[must_use]
@@ -7504,6 +7529,67 @@ extern "C" {
         values: *const f64,
     ) -> sf_status;
 
+    /// The tetrahedra of a grid's solid voxels: six for each, around the diagonal from its low
+    /// corner.
+    ///
+    /// They conform, and fill the voxels exactly. They have one property, which is 0 everywhere, or
+    /// what of its bounds is nearest to 0: sf_tets_spread() gives it values.
+    ///
+    /// - `grid`: the voxels
+    /// - `property`: the property
+    /// - `allocator`: for the tetrahedra and for scratch; NULL for the C library's
+    /// - `tets`: receives the tetrahedra, which own their arrays
+    /// - `fault`: NULL, or receives a sentence on failure
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a grid without solid voxels;
+    ///   SF_ERR_OVERFLOW: more than there are numbers for; SF_ERR_MEMORY; what sf_tets_create()
+    ///   says.
+    /// - cost: two passes over the grid; 96 bytes for each voxel and 24 for each point, twice for a
+    ///   while.
+    /// - threads: any; one at a time for each allocator.
+    /// - source: H. W. Kuhn, "Some combinatorial lemmas in topology", 1960.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_tets_of_grid(
+        grid: *const sf_grid,
+        property: *const sf_property,
+        allocator: *const sf_allocator,
+        tets: *mut *mut sf_tets,
+        fault: *mut sf_fault,
+    ) -> sf_status;
+
+    /// Spread a property from some points over all others, harmonically: as heat would settle.
+    ///
+    /// Each free point gets the value at which the flow of Laplace's equation, by linear elements,
+    /// is even; so a property that is linear where it is fixed is linear everywhere, and none lies
+    /// outside of what is fixed (flat tetrahedra could overshoot, and are held to it). A part that
+    /// hangs together with no fixed point becomes one value, about what it had in the mean. Values
+    /// of points are meant: a property that jumps is refused.
+    ///
+    /// - `tets`: tetrahedra that own their arrays
+    /// - `channel`: which property
+    /// - `fixed`: for each point: not 0 where its value stays
+    /// - `allocator`: for scratch, 48 bytes a tetrahedron and 32 a point; NULL for the C library's
+    /// - `task`: NULL, or cancel; nothing has changed then
+    /// - `report`: NULL, or receives what was done
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, no such property, no fixed point;
+    ///   SF_ERR_UNSUPPORTED: tetrahedra of a refinement, a property that jumps; SF_ERR_INFEASIBLE:
+    ///   it did not settle, because tetrahedra are too flat; SF_ERR_MEMORY; SF_ERR_CANCELLED.
+    /// - cost: some hundred passes over the tetrahedra: the more the finer they are.
+    /// - threads: one for these tetrahedra; one at a time for each allocator.
+    /// - source: R. Courant, "Variational methods for the solution of problems of equilibrium and
+    ///   vibrations", 1943; M. Hestenes, E. Stiefel, "Methods of conjugate gradients for solving
+    ///   linear systems", 1952.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_tets_spread(
+        tets: *mut sf_tets,
+        channel: usize,
+        fixed: *const u8,
+        allocator: *const sf_allocator,
+        task: *mut sf_task,
+        report: *mut sf_spread_report,
+    ) -> sf_status;
+
     /// Look at tetrahedra: their volumes, and whether they conform.
     ///
     /// - `tets`: the tetrahedra
@@ -7688,6 +7774,64 @@ extern "C" {
         report: *mut sf_voids_report,
         void_count: *mut usize,
     ) -> sf_status;
+
+    /// Begin a search for voids in layers that are pushed one at a time.
+    ///
+    /// - `options`: bed, thresholds, array; copied, and the array must stay
+    /// - `width`: of the layers, 1..SF_EXTENT_MAX
+    /// - `height`: of the layers, 1..SF_EXTENT_MAX
+    /// - `allocator`: for the search, as sf_grid_voids() takes it; NULL for the C library's
+    /// - `search`: receives the search
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, options without their struct_size, a
+    ///   capacity without an array, an extent outside its range; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+    /// - cost: a layer of new memory.
+    /// - threads: any; one at a time for each allocator.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_void_search_create(
+        options: *const sf_voids_options,
+        width: u32,
+        height: u32,
+        allocator: *const sf_allocator,
+        search: *mut *mut sf_void_search,
+    ) -> sf_status;
+
+    /// Push the next layer.
+    ///
+    /// - `search`: the search; after SF_ERR_MEMORY or SF_ERR_OVERFLOW it may only be destroyed
+    /// - `layer`: a slice of its width and height; read only
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, a slice that is none, a search that is
+    ///   finished; SF_ERR_SHAPE: another size; SF_ERR_OVERFLOW; SF_ERR_MEMORY.
+    /// - cost: one pass over the layer, and nearly linear in the runs of empty voxels.
+    /// - threads: one per search.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_void_search_push(search: *mut sf_void_search, layer: sf_slice) -> sf_status;
+
+    /// Say what was found: what sf_grid_voids() says of a grid of these layers.
+    ///
+    /// - `search`: the search, which takes no more layers
+    /// - `report`: the counts
+    /// - `void_count`: voids in the caller's array; may be NULL
+    /// - returns: SF_OK; SF_ERR_ARGUMENT: a NULL pointer, or a search that is finished;
+    ///   SF_ERR_MEMORY, or what a push returned before.
+    /// - cost: the voids.
+    /// - threads: one per search.
+    /// - since: 0.1
+    #[must_use]
+    pub fn sf_void_search_finish(
+        search: *mut sf_void_search,
+        report: *mut sf_voids_report,
+        void_count: *mut usize,
+    ) -> sf_status;
+
+    /// Free a search.
+    ///
+    /// - `search`: the search, freed; NULL does nothing
+    /// - cost: constant.
+    /// - threads: one, and nobody else with this search.
+    /// - since: 0.1
+    pub fn sf_void_search_destroy(search: *mut sf_void_search);
 
     /// Whether this build reads glTF.
     ///

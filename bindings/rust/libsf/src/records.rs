@@ -642,6 +642,38 @@ impl MeshFormat {
     }
 }
 
+/// Kinds of CLI files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ContourFormat {
+    /// numbers as text, which read back as the same doubles
+    Text,
+    /// floats of 32 bits
+    Binary,
+    /// a number that has no name here
+    Other(i32),
+}
+
+impl ContourFormat {
+    #[allow(dead_code)]
+    pub(crate) fn c(self) -> sys::sf_contour_format {
+        match self {
+            ContourFormat::Text => sys::SF_CONTOUR_CLI_TEXT,
+            ContourFormat::Binary => sys::SF_CONTOUR_CLI_BINARY,
+            ContourFormat::Other(number) => number,
+        }
+    }
+
+    #[allow(dead_code)]
+    pub(crate) fn of(c: sys::sf_contour_format) -> ContourFormat {
+        match c {
+            sys::SF_CONTOUR_CLI_TEXT => ContourFormat::Text,
+            sys::SF_CONTOUR_CLI_BINARY => ContourFormat::Binary,
+            number => ContourFormat::Other(number),
+        }
+    }
+}
+
 /// Which weights points inside of a solid get.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -834,6 +866,38 @@ impl MaskKind {
             sys::SF_MASK_SLICE => MaskKind::Slice,
             sys::SF_MASK_ISOTROPIC => MaskKind::Isotropic,
             number => MaskKind::Other(number),
+        }
+    }
+}
+
+/// Formats of jobs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum JobFormat {
+    /// a zip archive with config.ini and a PNG for each layer
+    Sl1,
+    /// .photon of the cbddlp family, versions 1 and 2, one bit a pixel
+    Photon,
+    /// a number that has no name here
+    Other(i32),
+}
+
+impl JobFormat {
+    #[allow(dead_code)]
+    pub(crate) fn c(self) -> sys::sf_job_format {
+        match self {
+            JobFormat::Sl1 => sys::SF_JOB_SL1,
+            JobFormat::Photon => sys::SF_JOB_PHOTON,
+            JobFormat::Other(number) => number,
+        }
+    }
+
+    #[allow(dead_code)]
+    pub(crate) fn of(c: sys::sf_job_format) -> JobFormat {
+        match c {
+            sys::SF_JOB_SL1 => JobFormat::Sl1,
+            sys::SF_JOB_PHOTON => JobFormat::Photon,
+            number => JobFormat::Other(number),
         }
     }
 }
@@ -2433,6 +2497,37 @@ impl VoidsReport {
     }
 }
 
+/// What was read of a glTF file, and what was passed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct GltfReport {
+    /// nodes of the scene
+    pub nodes: usize,
+    /// sets of triangles that were placed
+    pub pieces: usize,
+    /// sets of points and lines: passed over
+    pub passed: usize,
+    /// nodes with a skin, whose meshes are taken as modelled, not as posed
+    pub skinned: usize,
+    /// sets of triangles with other shapes to blend to, which are not blended
+    pub morphed: usize,
+    /// animations of the file, none of which is played
+    pub animations: usize,
+}
+
+impl GltfReport {
+    #[allow(dead_code)]
+    pub(crate) fn of(c: &sys::sf_gltf_report) -> GltfReport {
+        GltfReport {
+            nodes: c.nodes,
+            pieces: c.pieces,
+            passed: c.passed,
+            skinned: c.skinned,
+            morphed: c.morphed,
+            animations: c.animations,
+        }
+    }
+}
+
 /// A voxel of a grid.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -2534,6 +2629,28 @@ impl MaterialUse {
             voxels: c.voxels,
             volume_mm3: c.volume_mm3,
             mass_g: c.mass_g,
+        }
+    }
+}
+
+/// What a job says of itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct JobInfo {
+    /// which format it is in
+    pub format: JobFormat,
+    /// whether pictures have more than black and white
+    pub has_greys: bool,
+    /// whether the job says how large a pixel is; 0: the caller did, or the format's first printer was taken
+    pub has_pitch: bool,
+}
+
+impl JobInfo {
+    #[allow(dead_code)]
+    pub(crate) fn of(c: &sys::sf_job_info) -> JobInfo {
+        JobInfo {
+            format: JobFormat::of(c.format),
+            has_greys: c.has_greys != 0,
+            has_pitch: c.has_pitch != 0,
         }
     }
 }

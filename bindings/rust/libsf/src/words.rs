@@ -231,7 +231,7 @@ macro_rules! words {
         "Push the next layer as 8-bit rows: solid where the value is at least `threshold`.\n\n- `row_bytes`: bytes from one row to the next, at least the width\n- `threshold`: 1 to 255; 0 makes everything solid\n- cost: as [`sf_checker_push()`](crate::sys::sf_checker_push), and two passes over the pixels.\n- threads: one per checker.\n- in C: [`sf_checker_push_grey()`](crate::sys::sf_checker_push_grey)"
     };
     (sf_checker_push_runs: runs) => {
-        "Push the next layer as runs.\n\n- `runs`: row by row, left to right, not overlapping but free to touch; labels are ignored; may be NULL where count is 0\n- cost: as [`sf_checker_push()`](crate::sys::sf_checker_push), and O(count).\n- threads: one per checker.\n- in C: [`sf_checker_push_runs()`](crate::sys::sf_checker_push_runs)"
+        "Push the next layer as runs.\n\n- `runs`: row by row, left to right, not overlapping but free to touch; labels are ignored; may be NULL where count is 0\n- cost: O(count) where layer_run_capacity serves; else as [`sf_checker_push()`](crate::sys::sf_checker_push) too.\n- threads: one per checker.\n- in C: [`sf_checker_push_runs()`](crate::sys::sf_checker_push_runs)"
     };
     (sf_checker_report) => {
         "Counts so far.\n\n- cost: constant.\n- threads: one per checker.\n- in C: [`sf_checker_report()`](crate::sys::sf_checker_report)"
@@ -249,13 +249,19 @@ macro_rules! words {
         "Make a stack without layers.\n\n- `bottom_mm`: height of the lowest layer's underside\n- cost: constant.\n- threads: any; one at a time for each allocator.\n- in C: [`sf_contour_stack_create()`](crate::sys::sf_contour_stack_create)"
     };
     (sf_contour_stack_lattice) => {
-        "A lattice that holds all contours of a stack, one layer each.\n\nIts corner is the least x, y and z; it ends at the first voxel beyond the greatest.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_contour_stack_lattice()`](crate::sys::sf_contour_stack_lattice)"
+        "A lattice that holds all contours of a stack, one layer each.\n\nIts corner is the least x, y and z; it ends at the first voxel beyond the greatest. Heights are rounded to nanometres, as sums of decimals need it; where all are the same, one stands for them.\n\n- cost: one pass.\n- threads: any.\n- in C: [`sf_contour_stack_lattice()`](crate::sys::sf_contour_stack_lattice)"
     };
     (sf_contour_stack_layer: k) => {
         "The contours of a layer and its heights.\n\n- `k`: the layer, below [`sf_contour_stack_count()`](crate::sys::sf_contour_stack_count)\n- cost: constant.\n- threads: any.\n- in C: [`sf_contour_stack_layer()`](crate::sys::sf_contour_stack_layer)"
     };
+    (sf_contour_stack_read) => {
+        "Read a CLI file, text or binary, with short or long numbers.\n\nA layer's height is that of its top; the lowest one is as thick as the step to the next (where there is only one: down to 0, or a millimetre where it lies there or below). A polygon that says it is an outside turns to the left afterwards, one that says it is a hole to the right, so that [`SF_CONTOUR_NONZERO`](crate::sys::SF_CONTOUR_NONZERO) is the fill to take. Layers of one height that follow each other are one.\n\nNo count is believed: memory grows as points come. Refused are heights that fall, numbers that are not finite, another number of layers than the head says, and files that end early.\n\n- cost: one pass.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: \"Common Layer Interface (CLI), Version 2.0\", Brite EuRam BE 2578, 1994.\n- in C: [`sf_contour_stack_read()`](crate::sys::sf_contour_stack_read)"
+    };
     (sf_contour_stack_trace: top_mm, slice, lattice) => {
         "Trace the border of a slice's voxels and add it as the next layer.\n\nEach contour runs along the sides of voxels with matter on its left: around a piece it turns to the left, around a hole to the right. Pieces that meet in a corner only stay apart. Points are where it turns, so drawing the layer again, under either fill, gives the same voxels.\n\n- `top_mm`: above the stack's top so far\n- `slice`: the slice, of the lattice's nx and ny\n- `lattice`: where voxels lie: nx, ny, pitch and origin are looked at\n- cost: a pass over the slice, and the length of the border in voxels; a slice of memory while it works.\n- threads: one per stack.\n- in C: [`sf_contour_stack_trace()`](crate::sys::sf_contour_stack_trace)"
+    };
+    (sf_contour_stack_write: format) => {
+        "Write a stack as a CLI file, in mm.\n\nWhat turns to the left is written as an outside, what turns to the right as a hole. The file does not say where the lowest layer begins.\n\n- `format`: text or binary\n- cost: one pass; 12 KiB of stack, no memory.\n- threads: any, on distinct sinks.\n- in C: [`sf_contour_stack_write()`](crate::sys::sf_contour_stack_write)"
     };
     (sf_contours) => {
         "A view of the closed polygons of one layer.\n\nContour i has the points starts\\[i\\] to starts\\[i + 1\\] - 1, and its last point is joined to its first. Fewer than three points enclose nothing. A first point that is said again at the end does no harm."
@@ -355,6 +361,12 @@ macro_rules! words {
     };
     (sf_findings_rank: costs) => {
         "Order of findings by what they cost to fix: the dearest first.\n\nThe cost to fix a finding is the lesser of its two; of equal costs those come first that no other finding causes, then those with the lower index.\n\n- `costs`: their costs, or NULL\n- cost: n log n; no memory.\n- threads: any that write to distinct arrays.\n- in C: [`sf_findings_rank()`](crate::sys::sf_findings_rank)"
+    };
+    (sf_gltf_is_served) => {
+        "Whether this build reads glTF.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_gltf_is_served()`](crate::sys::sf_gltf_is_served)"
+    };
+    (sf_gltf_read) => {
+        "Read a glTF file, binary (.glb) or as text (.gltf), as one mesh, in mm with z up.\n\nThe mesh holds the triangles of the scene that the file shows first (without scenes, of all nodes), one vertex for each that the file has, times the nodes that show it; strips and fans become triangles; a node that mirrors turns its triangles, so that outside stays outside. Materials, colours, pictures, cameras and lights are passed over; skins, animations and shapes to blend to as well, and the report counts them. Positions may be interleaved, sparse, and whole numbers (KHR_mesh_quantization). Refused are files that require extensions which change the shape and are not served, such as compressed meshes.\n\nNo path is followed. A buffer may stand in the file itself or be a data: URI; another file's name is asked of `folder` only if it is plain (no separators, no \"..\", no scheme). Pictures are not decoded, and files named like them not opened. Before tinygltf sees it, JSON is held against bounds: 64 levels, 200,000 objects and lists, 2 million values; so its memory, which comes from the C++ library, is some hundred MiB at most beside a few times the file. But it was not made for files that mean harm, and ends the process where memory is too short to destroy its JSON: read files of strangers in a process of its own. Nodes may repeat a mesh, up to 64 times the bytes of the file and 256 MiB.\n\n- cost: one pass; the file is held in memory, its buffers twice for a while.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: The Khronos Group, \"glTF 2.0 Specification\", 2021.\n- in C: [`sf_gltf_read()`](crate::sys::sf_gltf_read)"
     };
     (sf_gltf_write) => {
         "Write a mesh as binary glTF, with a colour for each vertex or without.\n\nPositions are floats in mm; a node turns them to glTF's axes and metres. What [`sf_gltf_read()`](crate::sys::sf_gltf_read) makes of the file is the same floats again. Colours are given as they are shown on a screen (sRGB) and written as light (linear, 16 bits), which is how glTF has them. The material is matt and seen from both sides.\n\n- cost: one pass to check, one to write; 8 KiB of stack, no memory.\n- threads: any, on distinct sinks.\n- source: The Khronos Group, \"glTF 2.0 Specification\", 2021; IEC 61966-2-1, \"sRGB\", 1999.\n- in C: [`sf_gltf_write()`](crate::sys::sf_gltf_write)"
@@ -490,6 +502,39 @@ macro_rules! words {
     };
     (sf_isa_limit) => {
         "Use no instruction set above `limit`, for tests and benches; results never depend on it.\n\n- cost: constant.\n- threads: any; work under way elsewhere may end on the old set.\n- in C: [`sf_isa_limit()`](crate::sys::sf_isa_limit)"
+    };
+    (sf_job) => {
+        "A job being read."
+    };
+    (sf_job_describe) => {
+        "What a job says of itself.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_job_describe()`](crate::sys::sf_job_describe)"
+    };
+    (sf_job_has_sl1) => {
+        "Whether this build reads and writes SL1, which takes libspng and zlib; .photon is always read.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_job_has_sl1()`](crate::sys::sf_job_has_sl1)"
+    };
+    (sf_job_lattice) => {
+        "The lattice of a job: its pixels, its layers and their heights; its corner is 0, 0, 0.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_job_lattice()`](crate::sys::sf_job_lattice)"
+    };
+    (sf_job_open) => {
+        "Open a job: everything but the pictures' pixels is read and checked.\n\nWhich format it is the first bytes say. No name in it ever becomes a path, and no number is believed before the bytes that it speaks of are there. What would make two readers see two jobs is refused: entries that overlap or come twice, pictures of several sizes, layers that are missing. An SL1 job says its pixels in prusaslicer.ini; where that is missing, pictures of 1440 x 2560 are taken for the SL1's own (0.04725 mm), and others must be told of in the options.\n\n- cost: the directory, and the head of each picture; libspng takes its memory from the C library.\n- threads: any, on distinct bytes; one at a time for each allocator.\n- in C: [`sf_job_open()`](crate::sys::sf_job_open)"
+    };
+    (sf_job_options) => {
+        "How a job is understood. Fill with [`sf_job_options_default()`](crate::sys::sf_job_options_default)."
+    };
+    (sf_job_options.bytes_max) => {
+        "Most bytes of the file (default 64 GiB)."
+    };
+    (sf_job_options.layers_max) => {
+        "Most layers (default 1e6)."
+    };
+    (sf_job_read: k, slice) => {
+        "Decode a layer as it is exposed: solid where a pixel has at least the threshold.\n\n- `k`: the layer\n- `slice`: written, of the job's nx and ny; on failure its voxels are not to be used\n- cost: one pass over its bytes and pixels.\n- threads: one per job.\n- in C: [`sf_job_read()`](crate::sys::sf_job_read)"
+    };
+    (sf_job_read_grey: k, pixels, row_bytes) => {
+        "Decode a layer as greys: colours count as bright as they look, and what is transparent is black.\n\n- `k`: the layer\n- `pixels`: written, a byte each, row 0 the lowest; on failure not to be used\n- `row_bytes`: bytes from one row to the next, at least nx\n- cost: as [`sf_job_read()`](crate::sys::sf_job_read).\n- threads: one per job.\n- in C: [`sf_job_read_grey()`](crate::sys::sf_job_read_grey)"
+    };
+    (sf_job_rewrite: grid) => {
+        "Write an SL1 job again with the layers of a grid, and everything else byte for byte.\n\nLayers whose voxels are as they were are copied as they lie in the archive, and so is every other entry: compressed bytes, dates, attributes, comments. A layer that differs becomes a new picture under its name, 8 bits of grey, stored: what was added is 255, what was taken away 0, with the dim rim around it, up to 8 pixels wide, that touches nothing which is left. All other greys stay.\n\n- `grid`: the new layers, with the job's counts\n- cost: each layer is decoded once, those that differ once more and encoded; a layer of bytes and five of bits.\n- threads: one per job.\n- in C: [`sf_job_rewrite()`](crate::sys::sf_job_rewrite)"
     };
     (sf_keep_field) => {
         "Whether what is at a place of the shape as it was before bending must stay: 1, or 0 where it may be carved away. Asked once a round for each voxel."
@@ -992,6 +1037,21 @@ macro_rules! words {
     (sf_shell_slice: k, slice) => {
         "The shell's voxels in layer k: the same bytes in whatever order layers are asked for.\n\n- `k`: layer, below the lattice's nz\n- `slice`: nx by ny voxels; what it held is lost\n- cost: the surface voxels of layers not yet at hand, and a dilation for each layer within reach.\n- threads: one at a time for each shell.\n- in C: [`sf_shell_slice()`](crate::sys::sf_shell_slice)"
     };
+    (sf_sl1_settings) => {
+        "What a new SL1 job says beside its layers. Fill with [`sf_sl1_settings_default()`](crate::sys::sf_sl1_settings_default)."
+    };
+    (sf_sl1_settings.exposure_s) => {
+        "Of a layer, 0 \\< it \\<= 1e6; 8 by default."
+    };
+    (sf_sl1_settings.fade_layers) => {
+        "Layers from the one to the other; 10 by default."
+    };
+    (sf_sl1_settings.first_exposure_s) => {
+        "Of the first ones; 35 by default."
+    };
+    (sf_sl1_write: settings) => {
+        "Write a grid as a new SL1 job: config.ini, prusaslicer.ini with the display, a PNG a layer.\n\n- `settings`: NULL for [`sf_sl1_settings_default()`](crate::sys::sf_sl1_settings_default)\n- cost: one pass, mostly in the compressor.\n- threads: any that only read the grid.\n- in C: [`sf_sl1_write()`](crate::sys::sf_sl1_write)"
+    };
     (sf_slice) => {
         "A view of a plane of bits. Passed by value; the words belong to somebody else."
     };
@@ -1177,6 +1237,39 @@ macro_rules! words {
     };
     (sf_tets_view.corners) => {
         "Four points each; the second, third and fourth are counter-clockwise seen from the first's other side, so that (b - a) x (c - a) . (d - a) is above 0."
+    };
+    (sf_threemf) => {
+        "A 3MF file that was read."
+    };
+    (sf_threemf_colour) => {
+        "A material, or a colour of a group."
+    };
+    (sf_threemf_contours) => {
+        "The slices of all that a document builds, in their places: parts and solid supports.\n\nWhat is inside is what the contours wind around, [`SF_CONTOUR_NONZERO`](crate::sys::SF_CONTOUR_NONZERO): the specification's fill, where holes turn the other way than what they are holes in. Contours of several items stand beside one another in each layer, so their layers must have the same heights.\n\n- cost: the points.\n- threads: any that read; one at a time for each allocator.\n- source: 3MF Consortium, \"3MF Slice Extension\" 1.0.\n- in C: [`sf_threemf_contours()`](crate::sys::sf_threemf_contours)"
+    };
+    (sf_threemf_get_view) => {
+        "What a document holds.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_threemf_get_view()`](crate::sys::sf_threemf_get_view)"
+    };
+    (sf_threemf_is_served) => {
+        "Whether this build reads and writes 3MF.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_threemf_is_served()`](crate::sys::sf_threemf_is_served)"
+    };
+    (sf_threemf_is_sliced) => {
+        "Whether all that a document builds has slices: its parts and solid supports.\n\n- cost: the number of items.\n- threads: any.\n- in C: [`sf_threemf_is_sliced()`](crate::sys::sf_threemf_is_sliced)"
+    };
+    (sf_threemf_item) => {
+        "An object in its place on the printer's bed. Components are resolved: each of them is one."
+    };
+    (sf_threemf_kind) => {
+        "What an object is for, as its file says."
+    };
+    (sf_threemf_merge: limits) => {
+        "One mesh of all that a document builds: parts and solid supports, in their places.\n\n- `limits`: NULL for [`sf_read_limits_default()`](crate::sys::sf_read_limits_default); items repeat what they place\n- cost: the size of the mesh.\n- threads: any that read; one at a time for each allocator.\n- in C: [`sf_threemf_merge()`](crate::sys::sf_threemf_merge)"
+    };
+    (sf_threemf_object) => {
+        "An object that has triangles of its own."
+    };
+    (sf_threemf_read) => {
+        "Read a 3MF file whole.\n\nLengths become mm, whatever the file's unit. Components become items, one for each place that an object takes. Textures, composites and mixtures of properties are passed over: what they cover has no colour. Metadata, thumbnails, print tickets and elements that are not known are passed over too.\n\nWhat unfolds is bounded: an XML part to 250 times its size in the archive and 1 MiB, all parts together to `bytes_max`, components to 64 within one another and 100,000 items. A DOCTYPE is refused, and so are names that lead out of the archive, two parts with one name, objects that contain themselves, transforms that flatten, and numbers that are not finite.\n\n- cost: the file is held in memory while it is read; one pass over what its parts unfold to.\n- threads: any, on distinct sources; one at a time for each allocator.\n- source: 3MF Consortium, \"3MF Core Specification\" 1.3, \"Production Extension\" 1.1, \"Materials and Properties Extension\" 1.2, \"Slice Extension\" 1.0.\n- in C: [`sf_threemf_read()`](crate::sys::sf_threemf_read)"
     };
     (sf_tip) => {
         "The voxels that a brush covers, around an anchor, which comes to lie on each dab."

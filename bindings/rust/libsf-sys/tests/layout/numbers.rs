@@ -56,7 +56,7 @@ pub static HEADERS: [&str; 48] = [
 ];
 
 #[rustfmt::skip]
-pub static NUMBERS: [(&str, usize); 1133] = [
+pub static NUMBERS: [(&str, usize); 1138] = [
     ("sizeof(sf_fault)", size_of::<sf_fault>()),
     ("offsetof(sf_fault, status)", offset_of!(sf_fault, status)),
     ("offsetof(sf_fault, line)", offset_of!(sf_fault, line)),
@@ -387,6 +387,7 @@ pub static NUMBERS: [(&str, usize); 1133] = [
     ("offsetof(sf_check_options, run_capacity)", offset_of!(sf_check_options, run_capacity)),
     ("offsetof(sf_check_options, findings)", offset_of!(sf_check_options, findings)),
     ("offsetof(sf_check_options, finding_capacity)", offset_of!(sf_check_options, finding_capacity)),
+    ("offsetof(sf_check_options, layer_run_capacity)", offset_of!(sf_check_options, layer_run_capacity)),
     ("sizeof(sf_steepest)", size_of::<sf_steepest>()),
     ("offsetof(sf_steepest, angle_rad)", offset_of!(sf_steepest, angle_rad)),
     ("offsetof(sf_steepest, is_bounded)", offset_of!(sf_steepest, is_bounded)),
@@ -583,6 +584,10 @@ pub static NUMBERS: [(&str, usize); 1133] = [
     ("offsetof(sf_tets_view, corners)", offset_of!(sf_tets_view, corners)),
     ("offsetof(sf_tets_view, channel_count)", offset_of!(sf_tets_view, channel_count)),
     ("offsetof(sf_tets_view, channels)", offset_of!(sf_tets_view, channels)),
+    ("sizeof(sf_spread_report)", size_of::<sf_spread_report>()),
+    ("offsetof(sf_spread_report, fixed)", offset_of!(sf_spread_report, fixed)),
+    ("offsetof(sf_spread_report, iterations)", offset_of!(sf_spread_report, iterations)),
+    ("offsetof(sf_spread_report, residual)", offset_of!(sf_spread_report, residual)),
     ("sizeof(sf_tets_report)", size_of::<sf_tets_report>()),
     ("offsetof(sf_tets_report, volume_mm3)", offset_of!(sf_tets_report, volume_mm3)),
     ("offsetof(sf_tets_report, inverted)", offset_of!(sf_tets_report, inverted)),
@@ -1193,7 +1198,7 @@ pub static NUMBERS: [(&str, usize); 1133] = [
 ];
 
 #[rustfmt::skip]
-pub fn functions() -> [*const (); 394] {
+pub fn functions() -> [*const (); 400] {
     [
         sf_version as *const (),
         sf_status_name as *const (),
@@ -1421,6 +1426,8 @@ pub fn functions() -> [*const (); 394] {
         sf_tets_destroy as *const (),
         sf_tets_get_view as *const (),
         sf_tets_set_values as *const (),
+        sf_tets_of_grid as *const (),
+        sf_tets_spread as *const (),
         sf_tets_check as *const (),
         sf_exchange_is_served as *const (),
         sf_exchange_write as *const (),
@@ -1429,6 +1436,10 @@ pub fn functions() -> [*const (); 394] {
         sf_findings_rank as *const (),
         sf_voids_options_default as *const (),
         sf_grid_voids as *const (),
+        sf_void_search_create as *const (),
+        sf_void_search_push as *const (),
+        sf_void_search_finish as *const (),
+        sf_void_search_destroy as *const (),
         sf_gltf_is_served as *const (),
         sf_gltf_options_default as *const (),
         sf_gltf_read as *const (),
