@@ -50,7 +50,7 @@ static inline void stack_random(stack *s, uint32_t width, uint32_t height, uint3
         int dx = (int)test_random_below(5) - 2, dy = (int)test_random_below(3) - 1;
         for (uint32_t y = 0; y < height; y++) {
             for (uint32_t x = 0; x < width; x++) {
-                int below = stack_get(s, (int64_t)z - 1, y + dy, x + dx);
+                int below = stack_get(s, (int64_t)z - 1, (int64_t)y + dy, (int64_t)x + dx);
                 int fresh = test_random_below(100) < (z == (uint32_t)empty ? 50 : grains);
                 stack_row(s, z, y)[x] = (uint8_t)(below ? test_random_below(100) < keep : fresh);
             }

@@ -7,8 +7,8 @@
 //     usage: truth-terms_picture FILE.png
 
 #include "balls.h"
-#include "sf/legend.h"
-#include "sf/picture.h"
+#include "legend.h"
+#include "picture.h"
 #include "terms.h"
 
 enum { PANEL_WIDTH = 300, PANEL_HEIGHT = 290, CAPTION = 108, STRIP = 48, TITLE = 27, FIGURES = 21 };
