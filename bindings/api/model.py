@@ -16,7 +16,7 @@ import comments
 import headers
 
 FOLDER = "libsf/include/"
-IO = {"cage_io", "exchange", "gltf", "io", "layers", "session", "threemf"}
+IO = {"cage_io", "contour_io", "exchange", "gltf", "io", "job", "layers", "session", "threemf"}
 SIZES = {"char": 1, "int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2, "int": 4, "int32_t": 4,
          "uint32_t": 4, "float": 4, "int64_t": 8, "uint64_t": 8, "size_t": 8, "double": 8}
 

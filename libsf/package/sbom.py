@@ -23,6 +23,7 @@ LIBRARIES = {
     "hidapi-hidraw": ("BSD-3-Clause", "https://github.com/libusb/hidapi", "SpaceMice"),
     "imgui": ("MIT", "https://github.com/ocornut/imgui", "the panel"),
     "jansson": ("MIT", "https://github.com/akheron/jansson", "JSON"),
+    "lib3MF": ("BSD-2-Clause", "https://3mf.io", "a test's reader of 3MF"),
     "libpng": ("libpng-2.0", "http://www.libpng.org", "PNG"),
     "libzip": ("BSD-3-Clause", "https://libzip.org", "3MF and SL1"),
     "muparser": ("BSD-2-Clause", "https://github.com/beltoforion/muparser", "formulas in recipes"),
