@@ -6,7 +6,9 @@
 
 #include "world.h"
 
+#include <sf/contour_io.h>
 #include <sf/gltf.h>
+#include <sf/job.h>
 #include <sf/threemf.h>
 
 #include <errno.h>
@@ -112,6 +114,63 @@ static void save_package(world *w, uint32_t seed)
                   "threemf_read", name, &b);
     }
     world_end(w);
+}
+
+// Jobs of either format, with the byte in front that the target takes its threshold from.
+static void save_jobs(world *w, uint32_t seed)
+{
+    bytes b = {NULL, 0};
+    char name[64];
+    sf_sink sink = {gather, &b};
+    const sf_grid *grid = make(w, "sf_grid", seed);
+    snprintf(name, sizeof name, "%u.sl1", seed);
+    if (sf_job_has_sl1() && gather(&b, "\x7e", 1) == SF_OK) {
+        sf_status status = sf_sl1_write(grid, NULL, NULL, sink, NULL, NULL);
+        if (status == SF_ERR_UNSUPPORTED) { // layers of several heights
+            free(b.data);
+        } else {
+            save_good(status, "job_read", name, &b);
+        }
+    }
+    world_end(w);
+}
+
+// Two pixels by two, in two layers: the first all white, the second half.
+static void save_photon(void)
+{
+    static unsigned char job[1 + 112 + 72 + 3] = {0x7e, 0x19, 0x00, 0xfd, 0x12, 1};
+    static const unsigned char floats[3][4] = {
+        {0, 0, 0x80, 0x3f}, {0, 0, 0x80, 0x3f}, {0, 0, 0, 0x3f}};
+    unsigned char *head = job + 1, *table = head + 112;
+    memcpy(head + 8, floats[0], 4);
+    memcpy(head + 12, floats[1], 4);
+    memcpy(head + 0x20, floats[2], 4);
+    head[0x34] = head[0x38] = 2;
+    head[0x40] = 112;
+    head[0x44] = 2;
+    memcpy(table + 36, floats[2], 4);
+    table[12] = 112 + 72;
+    table[16] = 1;
+    table[36 + 12] = 112 + 73;
+    table[36 + 16] = 2;
+    job[1 + 112 + 72] = 0x80 | 4;
+    job[1 + 112 + 73] = 2;
+    job[1 + 112 + 74] = 0x80 | 2;
+    save("job_read", "photon", job, sizeof job);
+}
+
+static void save_contours(world *w, uint32_t seed)
+{
+    for (int format = 0; format < 2; format++) {
+        bytes b = {NULL, 0};
+        char name[64];
+        sf_sink sink = {gather, &b};
+        const sf_contour_stack *stack = make(w, "sf_contour_stack", seed);
+        snprintf(name, sizeof name, "%u-%s.cli", seed, format == 0 ? "text" : "binary");
+        save_good(sf_contour_stack_write(stack, (sf_contour_format)format, sink), "contours_read",
+                  name, &b);
+        world_end(w);
+    }
 }
 
 // A model with something of everything that is read, and a part that it names.
@@ -236,8 +295,11 @@ int main(int argc, char **argv)
         save_package(w, seed);
         save_cages(w, seed);
         save_session(w, seed);
+        save_jobs(w, seed);
+        save_contours(w, seed);
     }
     save_model();
+    save_photon();
     save_words();
     save_calls();
     free(w);
