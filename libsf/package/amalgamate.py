@@ -34,11 +34,11 @@ INCLUDE = re.compile(r'^#[ ]*include ([<"])([^>"]+)[>"][^\n]*\n', re.M)
 GUARD = re.compile(r"^#ifndef (\w+_H)\n#define \1$", re.M)
 # What one source asks for before it includes anything; in one file it has to stand at the head.
 POSIX = "#define _POSIX_C_SOURCE 200809L\n"
-# Words of the C library that a file may have for its own as long as it does not include their header.
+# Words of the C library, and of zlib, that a file may have for its own as long as it does not include their header.
 TAKEN = """round trunc ceil floor exp exp2 log log2 pow sin cos tan atan hypot fmin fmax fdim fma remainder
 scalb scale y0 y1 yn j0 j1 jn gamma signgam index rindex div ldiv random link unlink read write open close
 pipe pause dup truncate sync select remove rename time clock signal raise stat send accept listen bind near
-far small interface""".split()
+far small interface compress uncompress inflate deflate crc32 adler32""".split()
 
 HEAD = """// SPDX-License-Identifier: MIT
 // libsf {version} in one {what}: {text}
@@ -253,13 +253,14 @@ def one_source(tree):
 
     for name in sources(tree):
         add(name)
-    counts = dict.fromkeys(TAKEN, 1)
-    for part in parts.values():
+    counts, sees = dict.fromkeys(TAKEN, 1), {}
+    for name in order:
+        part = parts[name]
+        sees[name] = {name}.union(*(sees[inner] for inner in part.includes))
+        # A struct whose name a header has given out is the header's, wherever its members stand.
+        part.words -= set().union(*(parts[inner].words for inner in sees[name] - {name}))
         for word in part.words | part.macros:
             counts[word] = counts.get(word, 0) + 1
-    sees = {}
-    for name in order:
-        sees[name] = {name}.union(*(sees[inner] for inner in parts[name].includes))
     texts = [POSIX, '#define SF_BUILDING\n#include "sf.h"\n']
     for name in order:
         names = {word: word + parts[seen].ending for seen in sees[name]
