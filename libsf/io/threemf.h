@@ -95,11 +95,6 @@ typedef struct sfi_threemf_reader {
     sf_fault *fault;
 } sfi_threemf_reader;
 
-static inline sfi_threemf_object *sfi_threemf_objects(const sf_threemf *document)
-{
-    return document->objects.items;
-}
-
 // Read a model part. `part` is its number in the document's list.
 sf_status sfi_threemf_read_part(sfi_threemf_reader *reader, uint32_t part);
 

@@ -16,6 +16,11 @@
 
 enum { DEPTH = 64, ITEMS_MAX = 100000 };
 
+static sfi_threemf_object *objects_of(const sf_threemf *document)
+{
+    return document->objects.items;
+}
+
 static const char *part_name(const sf_threemf *document, uint32_t part)
 {
     return ((char *const *)document->parts.items)[part];
@@ -140,7 +145,7 @@ typedef struct frame {
 static sf_status add_item(const sfi_threemf_reader *reader, const frame *f)
 {
     sf_threemf *document = reader->document;
-    sf_threemf_item item = {sfi_threemf_objects(document)[f->object].number, f->placed};
+    sf_threemf_item item = {objects_of(document)[f->object].number, f->placed};
     if (document->items.count >= ITEMS_MAX) {
         return sfi_fault_set(reader->fault, SF_ERR_OVERFLOW, 0, 0,
                              "the file places more than %d objects; this looks like an attack",
@@ -152,7 +157,7 @@ static sf_status add_item(const sfi_threemf_reader *reader, const frame *f)
 static sf_status refuse_nesting(const sfi_threemf_reader *reader, const frame *frames, int depth,
                                 uint32_t object)
 {
-    sfi_threemf_name name = sfi_threemf_objects(reader->document)[object].self;
+    sfi_threemf_name name = objects_of(reader->document)[object].self;
     int is_cycle = 0;
     for (int i = 0; i < depth; i++) {
         is_cycle = is_cycle || frames[i].object == object;
@@ -179,7 +184,7 @@ static sf_status walk(const sfi_threemf_reader *reader, const uint32_t *sorted,
     SF_TRY(find_object(reader, sorted, build->object, &frames[0].object));
     while (depth > 0) { // each step leads on to a place: no object is without a mesh and components
         frame *top = &frames[depth - 1];
-        const sfi_threemf_object *object = sfi_threemf_objects(document) + top->object;
+        const sfi_threemf_object *object = objects_of(document) + top->object;
         if (object->mesh != NULL) {
             SF_TRY(add_item(reader, top));
             depth--;
@@ -240,7 +245,7 @@ static sf_status make_views(const sfi_threemf_reader *reader)
 {
     sf_threemf *document = reader->document;
     for (size_t i = 0; i < document->objects.count; i++) {
-        sfi_threemf_object *object = sfi_threemf_objects(document) + i;
+        sfi_threemf_object *object = objects_of(document) + i;
         sf_threemf_object view;
         memset(&view, 0, sizeof view);
         object->number = (uint32_t)document->views.count;

@@ -184,7 +184,7 @@ void sf_threemf_destroy(sf_threemf *document)
                          &document->items};
     free_texts(document);
     for (size_t i = 0; i < document->objects.count; i++) {
-        sfi_threemf_object *object = sfi_threemf_objects(document) + i;
+        sfi_threemf_object *object = (sfi_threemf_object *)document->objects.items + i;
         sf_mesh_destroy(object->mesh);
         sfi_list_free(&allocator, &object->colours);
         sfi_path_free(&allocator, object->name);

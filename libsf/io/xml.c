@@ -14,7 +14,7 @@ enum { BLOCK = 32768, WORD_MAX_SIZE = 1048576, DEPTH = 64 };
 // A model is text that repeats itself, at most so much.
 static const uint64_t RATIO = 250;
 
-struct sfi_xml {
+struct sfi_xml_state {
     XML_Parser parser;
     const sfi_xml_hearer *hearer;
     const char *name;

@@ -11,7 +11,7 @@
 
 #include "io/zip_read.h"
 
-typedef struct sfi_xml sfi_xml;
+typedef struct sfi_xml_state sfi_xml;
 
 // What to call; a status other than SF_OK ends the reading and is passed on. `attributes` are names
 // and values in turn, and last NULL. `prefix` hears of namespaces before the element that declares

@@ -19,7 +19,7 @@
 enum { BLOCK = 65536 };
 static const uint64_t FREE_BYTES = 1048576; // what any entry may unfold to
 
-struct sfi_zip {
+struct sfi_zip_state {
     sf_allocator allocator;
     unsigned char *bytes;
     size_t size, capacity;
@@ -28,7 +28,7 @@ struct sfi_zip {
     uint64_t bytes_max;
 };
 
-struct sfi_zip_entry {
+struct sfi_zip_entry_state {
     sfi_zip *zip;
     zip_file_t *file;
     char *name;

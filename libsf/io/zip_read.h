@@ -10,8 +10,8 @@
 
 #include <sf/io.h>
 
-typedef struct sfi_zip sfi_zip;
-typedef struct sfi_zip_entry sfi_zip_entry;
+typedef struct sfi_zip_state sfi_zip;
+typedef struct sfi_zip_entry_state sfi_zip_entry;
 
 // Read an archive of at most `bytes_max` bytes; its entries together unfold to no more than that.
 sf_status sfi_zip_open(sf_source source, uint64_t bytes_max, const sf_allocator *allocator,

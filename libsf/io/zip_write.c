@@ -28,7 +28,7 @@ typedef struct entry {
     uint32_t crc, packed, size, offset;
 } entry;
 
-struct sfi_zip_out {
+struct sfi_zip_out_state {
     sf_allocator allocator;
     sf_sink sink;
     sf_status status; // SF_OK, or what failed first

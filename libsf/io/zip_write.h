@@ -10,7 +10,7 @@
 
 #include <sf/base.h>
 
-typedef struct sfi_zip_out sfi_zip_out;
+typedef struct sfi_zip_out_state sfi_zip_out;
 
 sf_status sfi_zip_out_create(sf_sink sink, const sf_allocator *allocator, sfi_zip_out **zip);
 

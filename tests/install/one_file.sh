@@ -38,6 +38,9 @@ optional_flags() {
         # shellcheck disable=SC2086
         printf '%s ' "-DSF_HAVE_${pair#*:}" "$(pkg-config --cflags $names)"
     done
+    if pkg-config --exists libzip expat zlib 2>/dev/null; then
+        printf '%s ' -DSF_HAVE_THREEMF "$(pkg-config --cflags libzip expat zlib)"
+    fi
 }
 
 # Two warnings are guesses of the optimizer, which sees more in one file, and here guesses wrong.
