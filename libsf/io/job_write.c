@@ -27,14 +27,14 @@ sf_sl1_settings sf_sl1_settings_default(void)
     return s;
 }
 
+#if defined(SF_HAVE_SPNG) && defined(SF_HAVE_ZLIB)
+
 static void report(sf_task *task, uint32_t done, uint32_t total)
 {
     if (task != NULL && task->progress != NULL) {
         task->progress(task->user, (double)done / total);
     }
 }
-
-#if defined(SF_HAVE_SPNG) && defined(SF_HAVE_ZLIB)
 
 // ---------------------------------------------------------------------------------------------
 // Written again
