@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Handles: a few places of a solid that are posed, and that the whole follows.
 
+use std::cell::RefCell;
+use std::ffi::{c_int, c_void};
 use std::ptr;
 
+use crate::caught::Caught;
 use crate::error::{check, check_fault, no_fault, Result};
 use crate::grid::own;
 use crate::made::Made;
@@ -66,6 +69,81 @@ impl<'g> Handle<'g> {
             locked: self.locked.into(),
         }
     }
+}
+
+#[doc = words!(sf_ray_hit)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayHit {
+    #[doc = words!(sf_ray_hit.along)]
+    pub along: f64,
+    #[doc = words!(sf_ray_hit.triangle)]
+    pub triangle: u32,
+    /// Whether the ray comes from inside there; else it enters.
+    pub leaves: bool,
+}
+
+/// The caller's function that finds hits, and what it panicked with.
+struct Caster<F> {
+    next: RefCell<F>,
+    caught: Caught,
+}
+
+/// # Safety
+/// `user` leads to a caster with a function of this type, and all others to what C says.
+unsafe extern "C" fn next<F: FnMut([f64; 3], [f64; 3], f64) -> Option<RayHit>>(
+    user: *mut c_void,
+    from_mm: *const f64,
+    direction: *const f64,
+    beyond: f64,
+    hit: *mut sys::sf_ray_hit,
+    found: *mut c_int,
+) -> sys::sf_status {
+    let caster = unsafe { &*user.cast_const().cast::<Caster<F>>() };
+    let (from, along) = unsafe { (from_mm.cast::<[f64; 3]>().read(), direction.cast::<[f64; 3]>().read()) };
+    let asked = caster.caught.guard(None, || Some(caster.next.borrow_mut()(from, along, beyond)));
+    let Some(answer) = asked else { return sys::SF_ERR_CANCELLED };
+    if let Some(RayHit { along, triangle, leaves }) = answer {
+        unsafe { hit.write(sys::sf_ray_hit { along, triangle, leaves: leaves.into() }) };
+    }
+    unsafe { found.write(answer.is_some().into()) };
+    sys::SF_OK
+}
+
+#[doc = words!(sf_handle_center_by_rays: from_mm, direction)]
+///
+/// `caster` gets where a ray begins, where it runs, and how many times that direction's length beyond its
+/// beginning the hit that is wanted must lie; it returns the nearest such hit.
+///
+/// ```
+/// # fn main() -> libsf::Result<()> {
+/// use libsf::{handle_center_by_rays, RayHit};
+///
+/// // A slab between the heights 2 and 6.
+/// let slab = |from: [f64; 3], direction: [f64; 3], beyond: f64| {
+///     let hits = [(6.0, 0), (2.0, 1)].map(|(height, triangle)| {
+///         let along = (height - from[2]) / direction[2];
+///         RayHit { along, triangle, leaves: (direction[2] < 0.0) == (triangle == 1) }
+///     });
+///     hits.into_iter().filter(|hit| hit.along > beyond).min_by(|a, b| a.along.total_cmp(&b.along))
+/// };
+/// let center = handle_center_by_rays(slab, [1.0, 1.0, 9.0], [0.0, 0.0, -2.0])?;
+/// assert_eq!(center, [1.0, 1.0, 4.0]);
+/// # Ok(())
+/// # }
+/// ```
+pub fn handle_center_by_rays<F>(caster: F, from_mm: [f64; 3], direction: [f64; 3]) -> Result<[f64; 3]>
+where
+    F: FnMut([f64; 3], [f64; 3], f64) -> Option<RayHit>,
+{
+    let caster = Caster { next: RefCell::new(caster), caught: Caught::default() };
+    let user = (&caster as *const Caster<F>).cast_mut().cast();
+    let (mut found, mut fault) = ([0.0; 3], no_fault());
+    let asked = sys::sf_ray_caster { next: Some(next::<F>), user };
+    let (from, along, to) = (from_mm.as_ptr(), direction.as_ptr(), found.as_mut_ptr());
+    let met = unsafe { sys::sf_handle_center_by_rays(asked, from, along, to, &mut fault) };
+    caster.caught.resume();
+    check_fault(met, &fault)?;
+    Ok(found)
 }
 
 /// Handles as C has them; the regions are borrowed for as long as these are.

@@ -152,7 +152,7 @@ pub use error::{Error, Result};
 pub use gltf::has_gltf;
 pub use grid::Grid;
 pub use halftone::{material_uses, Diffuser, Halftone, KeepOut, Materials, ToneValues, Tones};
-pub use handle::{Handle, PlaceOptions};
+pub use handle::{handle_center_by_rays, Handle, PlaceOptions, RayHit};
 pub use job::{has_sl1, Job, JobOptions, Sl1Settings};
 pub use lattice::Lattice;
 pub use lent::Lent;

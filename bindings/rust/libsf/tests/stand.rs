@@ -4,9 +4,10 @@
 // functions of places, which C keeps for long, panic, lie and are dropped.
 
 use libsf::{
-    Ballast, Blend, Body, CarveGoal, CarveMode, CarveOptions, DrainOptions, ErrorKind, Grid, Handle,
-    HandleKind, Inside, Lattice, Mesh, PlaceOptions, Pose, PoseChange, Rule, Stance, StanceKind,
-    StanceOptions, Stand, StandOptions, Task, Terms, VoidsOptions, Weights, WeightsMethod, WeightsOptions,
+    handle_center_by_rays, Ballast, Blend, Body, CarveGoal, CarveMode, CarveOptions, DrainOptions, ErrorKind,
+    Grid, Handle, HandleKind, Inside, Lattice, Mesh, PlaceOptions, Pose, PoseChange, RayHit, Rule, Stance,
+    StanceKind, StanceOptions, Stand, StandOptions, Task, Terms, VoidsOptions, Weights, WeightsMethod,
+    WeightsOptions,
 };
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -358,6 +359,35 @@ fn handles_find_their_places() {
     let mut both = grid.clone();
     both.or(&covered).unwrap();
     assert!(both == covered && covered.count() > grid.count());
+}
+
+#[test]
+fn rays_of_the_callers_find_a_centre() {
+    // A ball of radius 3 around (1, 2, 3).
+    let ball = |from: Vector, direction: Vector, beyond: f64| {
+        let to = [1.0, 2.0, 3.0];
+        let (mut square, mut half, mut rest) = (0.0, 0.0, -9.0);
+        for axis in 0..3 {
+            let off = from[axis] - to[axis];
+            square += direction[axis] * direction[axis];
+            half += direction[axis] * off;
+            rest += off * off;
+        }
+        let root = (half * half - square * rest).sqrt();
+        let hits = [(-1.0, false), (1.0, true)];
+        let hits =
+            hits.map(|(sign, leaves)| RayHit { along: (sign * root - half) / square, triangle: 0, leaves });
+        hits.into_iter().find(|hit| hit.along > beyond)
+    };
+    let centre = handle_center_by_rays(ball, [-9.0, 2.0, 3.0], [0.5, 0.0, 0.0]).unwrap();
+    assert!((0..3).all(|axis| (centre[axis] - [1.0, 2.0, 3.0][axis]).abs() < 1e-12), "{centre:?}");
+    let past = handle_center_by_rays(ball, [-9.0, 2.0, 3.0], [-0.5, 0.0, 0.0]).unwrap_err();
+    assert_eq!(past.kind(), ErrorKind::Infeasible);
+    let back = RayHit { along: -1.0, triangle: 0, leaves: false };
+    let wrong = handle_center_by_rays(|_, _, _| Some(back), [0.0; 3], [1.0, 0.0, 0.0]).unwrap_err();
+    assert_eq!(wrong.kind(), ErrorKind::Internal);
+    let panic = catch_unwind(|| handle_center_by_rays(|_, _, _| panic!("no rays"), [0.0; 3], [1.0; 3]));
+    assert_eq!(*panic.unwrap_err().downcast_ref::<&str>().unwrap(), "no rays");
 }
 
 #[test]
