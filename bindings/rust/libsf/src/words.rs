@@ -497,6 +497,9 @@ macro_rules! words {
     (sf_handle_center: from_mm, direction) => {
         "The middle of the solid behind a point, as one who points at a surface means it.\n\nThe ray runs from the point, which may lie anywhere within 1e12 mm, and ends where it first leaves the solid voxels that it has entered. The middle of that stretch is the place of the handle.\n\n- `from_mm`: where the ray begins: on the surface, before it, or in the solid\n- `direction`: where it runs, of any length but 0\n- cost: the voxels that the ray passes.\n- threads: any.\n- source: the paper's section 5; J. Amanatides, A. Woo, \"A Fast Voxel Traversal Algorithm for Ray Tracing\", Eurographics 1987.\n- in C: [`sf_handle_center()`](crate::sys::sf_handle_center)"
     };
+    (sf_handle_center_by_rays: from_mm, direction) => {
+        "The middle of the solid behind a point, by rays instead of voxels: [`sf_handle_center()`](crate::sys::sf_handle_center) of a surface.\n\nWhere the surface goes through itself, the ray leaves the solid when it has left as often as it entered. A ray that leaves first begins inside.\n\n- `from_mm`: where the ray begins\n- `direction`: where it runs, of any length but 0\n- cost: one call of the caster for each hit.\n- threads: as the caster.\n- source: as [`sf_handle_center()`](crate::sys::sf_handle_center).\n- in C: [`sf_handle_center_by_rays()`](crate::sys::sf_handle_center_by_rays)"
+    };
     (sf_handles_place) => {
         "Place handles by themselves: deep in the solid, far from the base and from each other.\n\nPlaces are cells that lie at least as deep as their neighbours; when these are used up, cells at least half as deep as the deepest. Without a base the first handle takes the deepest of all. Each of the others takes the place that is furthest from what is taken, on the way through the solid, with the depth of the place added. No two handles lie within three cells of each other or of the base. The result is the same everywhere.\n\n- cost: n log n of the cells for each handle.\n- threads: any; one at a time for each allocator.\n- source: T. F. Gonzalez, \"Clustering to Minimize the Maximum Intercluster Distance\", 1985.\n- in C: [`sf_handles_place()`](crate::sys::sf_handles_place)"
     };
@@ -835,6 +838,15 @@ macro_rules! words {
     };
     (sf_property_young) => {
         "Young's modulus in Pa, 0 and more.\n\n- cost: constant.\n- threads: any.\n- in C: [`sf_property_young()`](crate::sys::sf_property_young)"
+    };
+    (sf_ray_hit) => {
+        "Where a ray meets a surface."
+    };
+    (sf_ray_hit.along) => {
+        "How many times the direction's length from the ray's beginning."
+    };
+    (sf_ray_hit.triangle) => {
+        "Which triangle, or whatever the caster numbers."
     };
     (sf_read_limits) => {
         "Bounds on what a reader takes. Fill with [`sf_read_limits_default()`](crate::sys::sf_read_limits_default)."
