@@ -137,8 +137,9 @@ const verb_entry verbs_table[] = {
      verb_orient},
     {{"render", "a picture of the part, what cannot print in red", "FILE", 0,
       INPUT_OPTIONS | RULE_OPTIONS | HOST_OPTIONS | OPTION_OUTPUT | OPTION_VIEW | OPTION_PIXELS,
-      "  sf render part.stl -o part.png\n  sf render part.stl --view below --pixels 800,600\n",
-      "the picture (default render.png)", NULL},
+      "  sf render part.stl -o part.png\n  sf render part.stl --view below --pixels 800,600\n"
+      "  sf render part.stl -o part.glb\n",
+      "the picture (default render.png), or a coloured mesh (.glb)", NULL},
      verb_render},
 };
 const int verbs_count = sizeof verbs_table / sizeof verbs_table[0];

@@ -13,6 +13,10 @@ exits 2 trim part.obj -o part.gltf # binary glTF is .glb
 grep -q '\.glb' stderr
 ok $? "and .gltf is refused by a sentence that names .glb"
 
+exits 0 render scene:garden --resolution 40 -o garden.glb
+grep -q COLOR_0 garden.glb
+ok $? "what a picture shows is written with colours"
+
 run info turned.glb --json
 if [ "$exit" -eq 3 ] && grep -q 'without tinygltf' stderr; then
     ok 0 "a build without tinygltf says so # SKIP the rest needs tinygltf"
