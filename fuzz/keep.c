@@ -167,3 +167,81 @@ size_t points_of_refinement(const sf_refinement *refinement)
     }
     return v.point_count;
 }
+
+// A cage of dimension 2: one or two squares in the plane of x and z.
+sf_cage *world_faces(world *w)
+{
+    static const uint32_t starts[3] = {0, 4, 8}, corners[8] = {0, 1, 2, 3, 1, 4, 5, 2};
+    double positions[18] = {1, 0, 0, 2, 0, 0, 2, 0, 1, 1, 0, 1, 3, 0, 0, 3, 0, 1};
+    sf_cage_view view = {2,    6, positions, 1 + draw_below(&w->in, 2), starts, corners, 0, NULL, 0,
+                         NULL, 0, NULL};
+    sf_cage *cage = NULL;
+    view.point_count = view.cell_count == 1 ? 4 : 6;
+    positions[9] += draw_byte(&w->in) / 512.0;
+    if (sf_cage_create(&view, &w->allocator, &cage, NULL) == SF_OK) {
+        world_keep(w, "sf_cage", cage);
+    }
+    return cage;
+}
+
+// Voxels of the solid that are to stay: none, or its lowest layer.
+const sf_grid *world_wall(world *w, const sf_grid *solid)
+{
+    sf_grid *wall = NULL;
+    if (solid == NULL || sf_grid_clone(solid, &w->allocator, &wall) != SF_OK) {
+        return NULL;
+    }
+    for (uint32_t k = draw_below(&w->in, 2); k < sf_grid_lattice(solid).nz; k++) {
+        sf_slice s = sf_grid_slice(wall, k);
+        sf_rect all = {0, 0, s.width, s.height};
+        (void)!sf_slice_fill(s, all, 0);
+    }
+    world_keep(w, "sf_grid", wall);
+    return wall;
+}
+
+// Of sum 1: pure materials first, then mixtures of them.
+const double *world_fractions(world *w, size_t materials, size_t count)
+{
+    double *values = world_scratch(w, materials * count * sizeof *values);
+    for (size_t i = 0; i < count; i++) {
+        double left = 1;
+        for (size_t j = 0; j + 1 < materials; j++) {
+            double share = i < materials ? i == j : left * draw_byte(&w->in) / 256;
+            values[i * materials + j] = draw_odd(&w->in, 64) ? draw_double(&w->in) : share;
+            left -= share;
+        }
+        values[i * materials + materials - 1] = left;
+    }
+    return values;
+}
+
+const uint8_t *world_ids(world *w, size_t count)
+{
+    uint8_t *ids = world_scratch(w, count);
+    for (size_t i = 0; i < count && i < 64; i++) {
+        ids[i] = (uint8_t)(draw_odd(&w->in, 64) ? draw_byte(&w->in) : draw_below(&w->in, 2));
+    }
+    return ids;
+}
+
+sf_material world_sf_material(world *w)
+{
+    sf_material m = {"", {draw_byte(&w->in), 0, 255}, 1};
+    snprintf(m.name, sizeof m.name, "m%u", draw_below(&w->in, 200));
+    if (draw_odd(&w->in, 32)) {
+        memset(m.name, 'm', draw_byte(&w->in) % (sizeof m.name + 1));
+        m.density_g_cm3 = draw_double(&w->in);
+    }
+    return m;
+}
+
+// Of the world's lattice, one for each property that a sampler can have.
+double **world_planes(world *w)
+{
+    double **planes = world_scratch(w, SF_PROPERTY_MAX * sizeof *planes);
+    for (size_t i = 0; i < SF_PROPERTY_MAX; i++) {
+        planes[i] = world_scratch(w, (size_t)w->lattice.nx * w->lattice.ny * sizeof *planes[i]);
+    }
+    return planes;
+}

@@ -2,15 +2,56 @@
 // Runs a fuzz target over files, without an engine: the corpus and the crashers of the project in
 // its normal tests, with any compiler; and what AFL++ hands over as a file.
 //
-// usage: TARGET FILE-OR-FOLDER...; `--random SEED COUNT` makes inputs of random bytes instead.
+// usage: TARGET FILE-OR-FOLDER...
+//        TARGET --random SEED COUNT          inputs of random bytes instead
+//        TARGET --spoil FILE-OR-FOLDER...    each file cut at every byte, with every bit turned,
+//        and
+//                                            with 00, 7f, 80 and ff in every place
 // FUZZ_SAY=1 names each input before it runs. Speaks TAP; what breaks ends the program.
 
 #include "target.h"
 
 #include <dirent.h>
 #include <sys/stat.h>
+#include <time.h>
+
+// Seconds of the processor that a spoilt file may take.
+#define SLOW 0.05
 
 static size_t runs;
+
+static int spoils;
+static double longest; // run of all, in seconds of the processor
+
+static void run(const uint8_t *bytes, size_t size)
+{
+    uint8_t *exact = malloc(size > 0 ? size : 1); // so that a sanitizer sees its end
+    memcpy(exact, bytes, size);
+    clock_t before = clock();
+    (void)LLVMFuzzerTestOneInput(exact, size);
+    double took = (double)(clock() - before) / CLOCKS_PER_SEC;
+    free(exact);
+    runs++;
+    longest = took > longest ? took : longest;
+}
+
+static void run_spoilt(uint8_t *bytes, size_t size)
+{
+    static const uint8_t odd[4] = {0x00, 0x7f, 0x80, 0xff};
+    for (size_t i = 0; i < size; i++) {
+        uint8_t good = bytes[i];
+        run(bytes, i);
+        for (int bit = 0; bit < 8; bit++) {
+            bytes[i] = (uint8_t)(good ^ 1u << bit);
+            run(bytes, size);
+        }
+        for (int j = 0; j < 4; j++) {
+            bytes[i] = odd[j];
+            run(bytes, size);
+        }
+        bytes[i] = good;
+    }
+}
 
 static void run_file(const char *path)
 {
@@ -29,15 +70,14 @@ static void run_file(const char *path)
         got = fread(bytes + size, 1, capacity - size, file);
     }
     fclose(file);
-    uint8_t *exact = malloc(size > 0 ? size : 1); // so that a sanitizer sees its end
-    memcpy(exact, bytes, size);
-    free(bytes);
     if (getenv("FUZZ_SAY") != NULL) {
         fprintf(stderr, "%s\n", path);
     }
-    (void)LLVMFuzzerTestOneInput(exact, size);
-    free(exact);
-    runs++;
+    run(bytes, size);
+    if (spoils) {
+        run_spoilt(bytes, size);
+    }
+    free(bytes);
 }
 
 static void run_path(const char *path)
@@ -82,8 +122,7 @@ static void run_random(uint64_t seed, unsigned long count)
         if (getenv("FUZZ_SAY") != NULL) {
             fprintf(stderr, "seed %llu\n", (unsigned long long)(seed + i));
         }
-        (void)LLVMFuzzerTestOneInput(bytes, size);
-        runs++;
+        run(bytes, size);
     }
 }
 
@@ -92,11 +131,17 @@ int main(int argc, char **argv)
     if (argc == 4 && strcmp(argv[1], "--random") == 0) {
         run_random(strtoull(argv[2], NULL, 10), strtoul(argv[3], NULL, 10));
     } else {
-        for (int i = 1; i < argc; i++) {
+        spoils = argc > 1 && strcmp(argv[1], "--spoil") == 0;
+        for (int i = 1 + spoils; i < argc; i++) {
             run_path(argv[i]);
         }
     }
-    printf("%s 1 - %zu inputs, none of which breaks anything\n1..1\n", runs > 0 ? "ok" : "not ok",
-           runs);
-    return runs == 0;
+    printf("# the longest took %.1f ms of the processor\n", 1e3 * longest);
+    printf("%s 1 - %zu inputs, none of which breaks anything\n", runs > 0 ? "ok" : "not ok", runs);
+    int slow = spoils && longest > SLOW;
+    if (spoils) {
+        printf("%s 2 - each is done with in time\n", slow ? "not ok" : "ok");
+    }
+    printf("1..%d\n", 1 + spoils);
+    return runs == 0 || slow;
 }

@@ -170,7 +170,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     model m;
     memset(&m, 0, sizeof m);
     uint32_t wide = draw_byte(&d); // small most of the time, and then as wide as a word
-    m.nx = 1 + (wide < 200 ? wide % 9 : 55 + wide % 16);
+    m.nx = 1 + (wide < 200 ? wide % 9 : 54 + wide % 16);
     m.ny = 1 + draw_byte(&d) % Y;
     m.nz = 1 + draw_byte(&d) % Z;
     sf_lattice lattice = {m.nx, m.ny, m.nz, 1, 1, 1, NULL, {0, 0, 0}};

@@ -176,7 +176,8 @@ void *world_make_path(world *w, int map)
     sf_path_map *paths = NULL;
     const sf_grid *grid = world_own(w, "sf_grid");
     if (grid != NULL && map) {
-        (void)!sf_path_map_create(grid, &w->terms, NULL, &w->allocator, NULL, &paths);
+        sf_path_map_options options = sf_path_map_options_default();
+        (void)!sf_path_map_create(grid, &w->terms, &options, &w->allocator, NULL, &paths);
         return paths;
     }
     if (grid != NULL) {

@@ -71,6 +71,12 @@ static void *make_sculpt(world *w)
         if (brush.tip != NULL) {
             (void)!sf_sculpt_stroke(model, &brush, dabs, 2, NULL);
         }
+        uint32_t then = draw_below(&w->in, 4);
+        if (then == 1) {
+            (void)!sf_sculpt_undo(model, NULL);
+        } else if (then == 2 && brush.tip != NULL) {
+            (void)!sf_sculpt_begin(model, &brush);
+        }
     }
     return model;
 }
@@ -90,6 +96,12 @@ static void *make_session(world *w)
         brush.kind = (sf_brush_kind)draw_below(&w->in, SF_BRUSH_KIND_COUNT);
         (void)!sf_session_add_stroke(session, &brush, tip, dabs, draw_below(&w->in, 3));
     }
+    sf_sculpt *model = NULL;
+    if (session != NULL && draw_below(&w->in, 2) &&
+        sf_session_replay(session, &w->allocator, NULL, &model) == SF_OK) {
+        (void)!sf_session_keep_state(session, model);
+    }
+    sf_sculpt_destroy(model);
     return session;
 }
 
@@ -140,12 +152,34 @@ static void *make_file(world *w, const char *kind)
     return file;
 }
 
+const char *world_path_of(world *w, const char *kind)
+{
+    if (draw_odd(&w->in, 3)) {
+        return world_path(w);
+    }
+    if (strcmp(kind, "sf_directory") == 0) {
+        return own_folder();
+    }
+    sf_save *save = make_file(w, "sf_save");
+    if (save != NULL && sf_save_commit(save, NULL) != SF_OK) {
+        return NULL;
+    }
+    char *path = world_scratch(w, 128);
+    snprintf(path, 128, "%s/a", own_folder());
+    return path;
+}
+
 static void *make_layers(world *w)
 {
     sf_layers *layers = NULL;
     sf_material materials[2] = {{"one", {255, 0, 0}, 1}, {"two", {0, 255, 0}, 2}};
     (void)!sf_layers_begin(world_sf_folder(w), &w->lattice, 1 + draw_below(&w->in, 2), materials,
                            &w->allocator, &layers, NULL);
+    const uint8_t *nothing = world_scratch(w, (size_t)w->lattice.nx * w->lattice.ny);
+    uint32_t whole = draw_below(&w->in, 2);
+    for (uint32_t k = 0; layers != NULL && whole && k < w->lattice.nz; k++) {
+        (void)!sf_layers_add(layers, nothing, w->lattice.nx, NULL);
+    }
     return layers;
 }
 

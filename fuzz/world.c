@@ -34,8 +34,9 @@ static int is_refused(world *w, size_t size)
         return 0;
     }
     long index = w->requests++;
-    return (w->fail_at >= 0 && (w->fail_once ? index == w->fail_at : index >= w->fail_at)) ||
-           dice(w) % 256 < w->chance || size > WORLD_BYTES_MAX || w->bytes + size > WORLD_BYTES_MAX;
+    size_t most = (w->in.sane ? 16u : 1u) * (size_t)WORLD_BYTES_MAX;
+    int chosen = w->fail_once ? index == w->fail_at : w->fail_at >= 0 && index >= w->fail_at;
+    return chosen || dice(w) % 256 < w->chance || size > most || w->bytes + size > most;
 }
 
 static void *take(void *user, size_t size, size_t align)

@@ -170,6 +170,9 @@ const uint32_t *world_words(world *w, size_t count);
 const uint8_t *world_bytes(world *w, size_t count);
 const char *world_text(world *w);
 const char *world_path(world *w);
+
+/** Of something that is there, most of the time. */
+const char *world_path_of(world *w, const char *kind);
 const sf_allocator *world_allocator(world *w);
 sf_task *world_task(world *w);
 sf_fault *world_fault(world *w);
@@ -202,6 +205,7 @@ sf_run *world_runs(world *w, size_t count);
 sf_box world_sf_box(world *w);
 sf_voxel world_sf_voxel(world *w);
 sf_dab world_sf_dab(world *w);
+sf_material world_sf_material(world *w);
 sf_tones world_sf_tones(world *w);
 sf_materials world_sf_materials(world *w);
 sf_stroke world_sf_stroke(world *w);
@@ -232,6 +236,11 @@ const sf_place *world_where(world *w, const sf_limit *limit, size_t count);
 const size_t *world_channels(world *w, size_t count);
 const uint32_t *world_ranks(world *w, size_t count);
 sf_folder world_folder_to_keep(world *w);
+sf_cage *world_faces(world *w);
+const sf_grid *world_wall(world *w, const sf_grid *solid);
+const double *world_fractions(world *w, size_t materials, size_t count);
+double **world_planes(world *w);
+const uint8_t *world_ids(world *w, size_t count);
 
 // --- how many numbers a call looks at ------------------------------------------------------------
 
