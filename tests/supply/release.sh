@@ -2,7 +2,7 @@
 # Why: what is handed out must be what the sources say, and hard to misuse. A release is built twice, from
 # two folders of different names, by another number of processes, with another time zone, locale and
 # umask: every library and program must be the same bytes. Then the files are looked into for what
-# the flags promise, and the quick tests are run with NDEBUG, as a release is built.
+# the flags promise.
 #
 # usage: release.sh SOURCE FOLDER core|whole; core: only the checker for printers, for a quick answer.
 # Speaks TAP.
