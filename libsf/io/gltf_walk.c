@@ -120,7 +120,11 @@ static sf_status own_place(const walking *w, const sfi_gltf_node *node, place *p
 // Triangles
 // ---------------------------------------------------------------------------------------------
 
-// Repetition makes much of little, so what is made is held against the file's size.
+// Repetition makes much of little, so what is made is held against the file's size. A piece costs
+// something even where nothing is made of it, or a mesh of many lines that many nodes repeat would
+// take minutes.
+enum { PIECE_BYTES = 64 };
+
 static sf_status pay(walking *w, size_t count, size_t bytes)
 {
     if (count > w->bytes_left / bytes) {
@@ -238,6 +242,7 @@ static sf_status add_piece(walking *w, const sfi_gltf_primitive *p, const place 
 {
     sfi_gltf_array positions;
     corners c;
+    SF_TRY(pay(w, 1, PIECE_BYTES));
     if (p->mode >= 0 && p->mode < SFI_GLTF_TRIANGLES) {
         w->report->passed++;
         return SF_OK;

@@ -243,6 +243,22 @@ static void copies_no_bytes_without_end(void)
     CHECK(text_refused((char *)glb, 28 + padded + bytes, SF_ERR_OVERFLOW, "buffers claim"));
 }
 
+// 3,000 lines that 3,000 nodes repeat: nothing is made of them, nine million times.
+static void passes_no_lines_without_end(void)
+{
+    size_t node_size, line_size;
+    char *nodes = repeat("", "{\"mesh\":0},", 2999, "{\"mesh\":0}", &node_size);
+    char *lines = repeat("", "{\"mode\":1,\"attributes\":{\"POSITION\":0}},", 2999,
+                         "{\"mode\":1,\"attributes\":{\"POSITION\":0}}", &line_size);
+    char *json = malloc(node_size + line_size + 1000);
+    int length = snprintf(json, node_size + line_size + 1000,
+                          GLTF_HEAD "\"nodes\":[%.*s],\"meshes\":[{\"primitives\":[%.*s]}]}",
+                          (int)node_size, nodes, (int)line_size, lines);
+    free(nodes);
+    free(lines);
+    CHECK(text_refused(json, (size_t)length, SF_ERR_OVERFLOW, "repeat"));
+}
+
 // A mesh of 600 kB that 30,000 nodes repeat would be 30 GB.
 static void repeats_no_mesh_without_end(void)
 {
@@ -397,6 +413,7 @@ int main(void)
     TEST(refuses_extensions_that_change_the_shape);
     TEST(believes_no_count);
     TEST(copies_no_bytes_without_end);
+    TEST(passes_no_lines_without_end);
     TEST(repeats_no_mesh_without_end);
     TEST(obeys_limits);
     TEST(survives_every_truncation);
