@@ -347,11 +347,13 @@ sf_status sf_contour_stack_read(sf_source source, const sf_read_limits *limits,
                                 const sf_allocator *allocator, sf_contour_stack **stack,
                                 sf_fault *fault)
 {
-    sf_read_limits bounds = limits != NULL ? *limits : sf_read_limits_default();
-    if (source.read == NULL || stack == NULL || bounds.struct_size < sizeof bounds) {
+    sf_read_limits bounds = sf_read_limits_default();
+    if (source.read == NULL || stack == NULL ||
+        (limits != NULL && limits->struct_size < sizeof bounds)) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
                              "no source, no place for the stack, or limits without their size");
     }
+    bounds = limits != NULL ? *limits : bounds;
     sfi_cli cli = {.fault = fault, .unit_mm = 1, .points_left = bounds.vertices_max};
     cli.points = sfi_list_of(2 * sizeof(double));
     cli.starts = sfi_list_of(sizeof(size_t));
