@@ -62,6 +62,12 @@ typedef struct sfi_threemf_slice {
     size_t first_point, first_start, contour_count;
 } sfi_threemf_slice;
 
+// A stack by its name, and from sfi_threemf_build() on by its number.
+typedef struct sfi_threemf_ref {
+    sfi_threemf_name name;
+    uint32_t stack;
+} sfi_threemf_ref;
+
 // A stack of slices, or of names of other stacks.
 typedef struct sfi_threemf_stack {
     sfi_threemf_name self;
@@ -78,12 +84,13 @@ struct sf_threemf {
     sfi_list groups;     // sfi_threemf_group
     sfi_list colours;    // sf_threemf_colour
     sfi_list stacks;     // sfi_threemf_stack
-    sfi_list refs;       // sfi_threemf_name
+    sfi_list refs;       // sfi_threemf_ref
     sfi_list slices;     // sfi_threemf_slice
     sfi_list points;     // double[2], of all slices
     sfi_list starts;     // size_t, of each slice its own from 0
     sfi_list views;      // sf_threemf_object
     sfi_list items;      // sf_threemf_item
+    size_t vertices_max; // of the slices in their places, as of the file
 };
 
 // Where reading stands; the fault is told of there.
@@ -107,5 +114,8 @@ sf_status sfi_threemf_build(sfi_threemf_reader *reader);
 
 // "1 0 0 0 1 0 0 0 1 0 0 0" in a unit of length, to a map; returns 0 where it is none.
 int sfi_threemf_transform(const char *text, double unit_mm, sf_transform *made);
+
+// Whether a map is of finite numbers and keeps a volume.
+int sfi_threemf_is_map(const sf_transform *map);
 
 #endif

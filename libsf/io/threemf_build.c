@@ -146,6 +146,12 @@ static sf_status add_item(const sfi_threemf_reader *reader, const frame *f)
 {
     sf_threemf *document = reader->document;
     sf_threemf_item item = {objects_of(document)[f->object].number, f->placed};
+    if (!sfi_threemf_is_map(&f->placed)) { // each one was, but not all of them together
+        return sfi_fault_set(reader->fault, SF_ERR_OVERFLOW, 0, 0,
+                             "transforms of the file together move object '%.60s' beyond all "
+                             "bounds, or flatten it; export the file again",
+                             objects_of(document)[f->object].name);
+    }
     if (document->items.count >= ITEMS_MAX) {
         return sfi_fault_set(reader->fault, SF_ERR_OVERFLOW, 0, 0,
                              "the file places more than %d objects; this looks like an attack",
@@ -224,19 +230,24 @@ static sf_status find_stack(const sfi_threemf_reader *reader, sfi_threemf_name n
                                part_name(reader->document, name.part), (unsigned long)name.id);
 }
 
-// References lead to slices, never on to references.
-static sf_status check_refs(const sfi_threemf_reader *reader)
+// References lead to slices, never on to references, nor to nothing: what walks up a stack of them
+// passes at most one of each layer's.
+static sf_status resolve_refs(const sfi_threemf_reader *reader)
 {
-    const sfi_threemf_name *refs = reader->document->refs.items;
+    sfi_threemf_ref *refs = reader->document->refs.items;
     const sfi_threemf_stack *stacks = reader->document->stacks.items;
     for (size_t i = 0; i < reader->document->refs.count; i++) {
         uint32_t number = 0;
-        SF_TRY(find_stack(reader, refs[i], &number));
-        if (stacks[number].ref_count > 0) {
+        SF_TRY(find_stack(reader, refs[i].name, &number));
+        if (stacks[number].slice_count == 0) {
             return sfi_fault_set(reader->fault, SF_ERR_FORMAT, 0, 0,
-                                 "a reference to slices leads to references; export the file "
-                                 "again");
+                                 stacks[number].ref_count > 0
+                                     ? "a reference to slices leads to references; export the "
+                                       "file again"
+                                     : "a reference to slices leads to none; export the file "
+                                       "again");
         }
+        refs[i].stack = number;
     }
     return SF_OK;
 }
@@ -267,7 +278,7 @@ static sf_status build_all(const sfi_threemf_reader *reader, uint32_t *sorted)
     const sf_threemf *document = reader->document;
     const sfi_threemf_placing *builds = document->builds.items;
     SF_TRY(sort_objects(reader, sorted));
-    SF_TRY(check_refs(reader));
+    SF_TRY(resolve_refs(reader));
     SF_TRY(make_views(reader));
     for (size_t i = 0; i < document->builds.count; i++) {
         SF_TRY(walk(reader, sorted, &builds[i]));

@@ -115,20 +115,11 @@ static sf_status check_object(const sf_threemf_view *what, size_t number, uint64
     return SF_OK;
 }
 
-static int is_map(const sf_transform *map)
-{
-    const double *m = map->matrix;
-    double volume = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                    m[2] * (m[3] * m[7] - m[4] * m[6]);
-    return isfinite(volume) && volume != 0 && isfinite(map->shift_mm[0]) &&
-           isfinite(map->shift_mm[1]) && isfinite(map->shift_mm[2]);
-}
-
 static sf_status check_items(const sf_threemf_view *what, sf_fault *fault)
 {
     for (size_t i = 0; i < what->item_count; i++) {
         const sf_threemf_item *item = &what->items[i];
-        if (item->object >= what->object_count || !is_map(&item->placed) ||
+        if (item->object >= what->object_count || !sfi_threemf_is_map(&item->placed) ||
             what->objects[item->object].kind == SF_THREEMF_OTHER) {
             return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0,
                                  "item %zu names an object that there is not or that is of no "

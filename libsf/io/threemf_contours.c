@@ -37,6 +37,7 @@ typedef struct builder {
     sfi_list starts; // size_t
     sf_contour_stack *made;
     double top_mm; // of it, so far
+    size_t left;   // points and slices that may still be placed
 } builder;
 
 static int is_printed(const sf_threemf_object *object)
@@ -64,24 +65,14 @@ int sf_threemf_is_sliced(const sf_threemf *document)
 // Walking up
 // ---------------------------------------------------------------------------------------------
 
-// References were found to lead to stacks that have none.
-static const sfi_threemf_stack *stack_of(const sf_threemf *document, sfi_threemf_name name)
-{
-    const sfi_threemf_stack *stacks = document->stacks.items;
-    size_t i = 0;
-    while (stacks[i].self.part != name.part || stacks[i].self.id != name.id) {
-        i++;
-    }
-    return stacks + i;
-}
-
 static const sfi_threemf_slice *next_slice(const builder *b, climb *c)
 {
-    const sfi_threemf_name *refs = b->document->refs.items;
+    const sfi_threemf_ref *refs = b->document->refs.items;
+    const sfi_threemf_stack *stacks = b->document->stacks.items;
     const sfi_threemf_slice *slices = b->document->slices.items;
     while (c->slice == c->stack->slice_count && c->ref + 1 < c->whole->ref_count) {
         c->ref++;
-        c->stack = stack_of(b->document, refs[c->whole->ref_first + c->ref]);
+        c->stack = stacks + refs[c->whole->ref_first + c->ref].stack;
         c->slice = 0;
     }
     return c->slice < c->stack->slice_count ? slices + c->stack->slice_first + c->slice : NULL;
@@ -107,7 +98,7 @@ static sf_status refuse_heights(const builder *b)
 static sf_status begin(builder *b)
 {
     sf_threemf_view view = sf_threemf_get_view(b->document);
-    const sfi_threemf_name *refs = b->document->refs.items;
+    const sfi_threemf_ref *refs = b->document->refs.items;
     const sfi_threemf_stack *stacks = b->document->stacks.items;
     double bottom_mm = 0;
     for (size_t i = 0; i < view.item_count; i++) {
@@ -125,7 +116,7 @@ static sf_status begin(builder *b)
         }
         climb c = {&view.items[i].placed, stacks + object->stack, 0, stacks + object->stack, 0};
         if (c.whole->ref_count > 0) {
-            c.stack = stack_of(b->document, refs[c.whole->ref_first]);
+            c.stack = stacks + refs[c.whole->ref_first].stack;
         }
         double bottom = c.stack->bottom_mm + c.placed->shift_mm[2];
         if (b->climbs.count > 0 && !is_same(bottom, bottom_mm)) {
@@ -146,6 +137,22 @@ static sf_status begin(builder *b)
 // ---------------------------------------------------------------------------------------------
 // Layers
 // ---------------------------------------------------------------------------------------------
+
+// Few slices in many places are many points, of which a small file could ask for any number. A
+// slice counts for a point, since walking takes time too.
+static sf_status count_points(builder *b, const sfi_threemf_slice *slice)
+{
+    const size_t *starts = (const size_t *)b->document->starts.items + slice->first_start;
+    size_t count = starts[slice->contour_count];
+    if (count >= b->left) {
+        return sfi_fault_set(b->fault, SF_ERR_OVERFLOW, 0, 0,
+                             "the slices of all that is built have more than %zu points; raise "
+                             "vertices_max where the file is read",
+                             b->document->vertices_max);
+    }
+    b->left -= count + 1;
+    return SF_OK;
+}
 
 // Append a slice's contours in their place. A map that mirrors turns them around.
 static sf_status add_contours(builder *b, const climb *c, const sfi_threemf_slice *slice)
@@ -185,6 +192,7 @@ static sf_status add_layer(builder *b, int *done)
         }
         top_mm = i == 0 ? top : top_mm;
         if (slice != NULL) {
+            SF_TRY(count_points(b, slice));
             SF_TRY(add_contours(b, &climbs[i], slice));
             climbs[i].slice++;
         }
@@ -215,7 +223,8 @@ sf_status sf_threemf_contours(const sf_threemf *document, const sf_allocator *al
                  sfi_list_of(2 * sizeof(double)),
                  sfi_list_of(sizeof(size_t)),
                  NULL,
-                 0};
+                 0,
+                 document != NULL ? document->vertices_max : 0};
     if (document == NULL || stack == NULL) {
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "no document, no place for the stack");
     }

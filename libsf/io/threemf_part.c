@@ -161,6 +161,15 @@ sf_status sfi_threemf_count_vertex(sfi_threemf_part *part)
     return SF_OK;
 }
 
+int sfi_threemf_is_map(const sf_transform *map)
+{
+    const double *m = map->matrix;
+    double volume = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                    m[2] * (m[3] * m[7] - m[4] * m[6]);
+    return isfinite(volume) && volume != 0 && isfinite(map->shift_mm[0]) &&
+           isfinite(map->shift_mm[1]) && isfinite(map->shift_mm[2]);
+}
+
 int sfi_threemf_transform(const char *text, double unit_mm, sf_transform *made)
 {
     double t[12];
@@ -186,14 +195,10 @@ int sfi_threemf_transform(const char *text, double unit_mm, sf_transform *made)
         }
         made->shift_mm[i] = t[9 + i] * unit_mm;
     }
-    const double *m = made->matrix;
-    double volume = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                    m[2] * (m[3] * m[7] - m[4] * m[6]);
     while (is_blank(*text)) {
         text++;
     }
-    return *text == '\0' && isfinite(volume) && volume != 0 && isfinite(made->shift_mm[0]) &&
-           isfinite(made->shift_mm[1]) && isfinite(made->shift_mm[2]);
+    return *text == '\0' && sfi_threemf_is_map(made);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -234,11 +239,14 @@ static int is_served(const char *space)
            strcmp(space, SFI_THREEMF_PRODUCTION) == 0 || strcmp(space, SFI_THREEMF_SLICE) == 0;
 }
 
-// A list of prefixes, which are declared by now.
+// A list of prefixes, which are declared by now. It names each of them once.
 static sf_status check_required(const sfi_threemf_part *part, const char *list)
 {
-    while (*list != '\0') {
+    for (size_t count = 0; *list != '\0'; count++) {
         size_t length = 0;
+        if (count > PREFIX_MAX) {
+            return sfi_threemf_wrong(part, "it requires more extensions than there are");
+        }
         while (is_blank(*list)) {
             list++;
         }

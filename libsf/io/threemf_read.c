@@ -134,7 +134,7 @@ static sf_status find_root(sfi_threemf_reader *reader)
 // Documents
 // ---------------------------------------------------------------------------------------------
 
-static sf_status create(const sf_allocator *allocator, sf_threemf **document)
+static sf_status create(const sf_allocator *allocator, size_t vertices_max, sf_threemf **document)
 {
     sf_threemf *made = sfi_alloc_array(allocator, 1, sizeof *made);
     if (made == NULL) {
@@ -148,12 +148,13 @@ static sf_status create(const sf_allocator *allocator, sf_threemf **document)
                         sfi_list_of(sizeof(sfi_threemf_group)),
                         sfi_list_of(sizeof(sf_threemf_colour)),
                         sfi_list_of(sizeof(sfi_threemf_stack)),
-                        sfi_list_of(sizeof(sfi_threemf_name)),
+                        sfi_list_of(sizeof(sfi_threemf_ref)),
                         sfi_list_of(sizeof(sfi_threemf_slice)),
                         sfi_list_of(2 * sizeof(double)),
                         sfi_list_of(sizeof(size_t)),
                         sfi_list_of(sizeof(sf_threemf_object)),
-                        sfi_list_of(sizeof(sf_threemf_item))};
+                        sfi_list_of(sizeof(sf_threemf_item)),
+                        vertices_max};
     *made = empty;
     *document = made;
     return SF_OK;
@@ -226,7 +227,7 @@ static sf_status read_document(sf_source source, const sf_read_limits *limits,
 {
     sfi_threemf_reader reader = {NULL, NULL, *limits, 0, 0, fault};
     SF_TRY(sfi_zip_open(source, limits->bytes_max, allocator, &reader.zip, fault));
-    sf_status status = create(allocator, &reader.document);
+    sf_status status = create(allocator, limits->vertices_max, &reader.document);
     if (status == SF_OK) {
         status = read_parts(&reader);
     }
@@ -364,7 +365,7 @@ static sf_status not_served(sf_fault *fault)
 {
     return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
                          "this build reads no 3MF; save the part as STL, OBJ, PLY or OFF, or build "
-                         "with libzip and expat");
+                         "with expat and zlib");
 }
 
 static sf_status read_document(sf_source source, const sf_read_limits *limits,

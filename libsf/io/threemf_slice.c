@@ -33,9 +33,8 @@ sf_status sfi_threemf_end_stack(sfi_threemf_part *part, const char **attributes)
 {
     sfi_threemf_stack *stack = &part->stack;
     (void)attributes;
-    if (part->document->stacks.count >= STACKS_MAX || part->document->refs.count > REFS_MAX) {
-        return sfi_threemf_wrong(part, "there are more than 1024 stacks of slices, or 65536 "
-                                       "references to them");
+    if (part->document->stacks.count >= STACKS_MAX) {
+        return sfi_threemf_wrong(part, "there are more than 1024 stacks of slices");
     }
     stack->slice_count = part->document->slices.count - stack->slice_first;
     stack->ref_count = part->document->refs.count - stack->ref_first;
@@ -47,12 +46,15 @@ sf_status sfi_threemf_end_stack(sfi_threemf_part *part, const char **attributes)
 sf_status sfi_threemf_stack_ref(sfi_threemf_part *part, const char **attributes)
 {
     const char *path = sfi_xml_value(attributes, "slicepath");
-    sfi_threemf_name made = {part->number, 0};
-    SF_TRY(sfi_threemf_id(part, attributes, "slicestackid", &made.id));
+    sfi_threemf_ref made = {{part->number, 0}, 0};
+    if (part->document->refs.count >= REFS_MAX) {
+        return sfi_threemf_wrong(part, "there are more than 65536 references to stacks of slices");
+    }
+    SF_TRY(sfi_threemf_id(part, attributes, "slicestackid", &made.name.id));
     if (path == NULL) {
         return sfi_threemf_wrong_value(part, "slicepath", "path of a part");
     }
-    SF_TRY(sfi_threemf_add_part(part->all, path, &made.part));
+    SF_TRY(sfi_threemf_add_part(part->all, path, &made.name.part));
     return sfi_list_push(&part->document->allocator, &part->document->refs, &made);
 }
 

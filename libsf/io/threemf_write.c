@@ -227,8 +227,8 @@ sf_status sf_threemf_write(const sf_threemf_view *what, const sf_threemf_extras 
         return sfi_fault_set(fault, SF_ERR_ARGUMENT, 0, 0, "there is nothing to write, or no sink");
     }
     return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
-                         "this build writes no 3MF; take another format, or build with libzip and "
-                         "expat");
+                         "this build writes no 3MF; take another format, or build with expat and "
+                         "zlib");
 }
 
 #endif

@@ -250,6 +250,44 @@ static void measures_the_torus(void)
     sf_threemf_destroy(document);
 }
 
+// A slice in many places is as many points as in many slices: the reading's bound holds for them.
+static void bounds_what_is_placed(void)
+{
+    static archive a;
+    archive_model(&a, MODEL("", TWO SLICED("1", "3", ""),
+                            ITEM("1") ITEM("1") ITEM("1") ITEM("1") ITEM("1") ITEM("1")));
+    for (size_t most = 40; most < 60; most++) { // 6 times 7 points and 2 slices
+        sf_read_limits limits = sf_read_limits_default();
+        sf_threemf *document = NULL;
+        sf_contour_stack *stack = NULL;
+        sf_fault fault = {SF_OK, 0, 0, ""};
+        limits.vertices_max = most;
+        CHECK_EQ(archive_read(&a, &limits, NULL, &document, NULL), SF_OK);
+        sf_status status = sf_threemf_contours(document, NULL, &stack, &fault);
+        CHECK_EQ(status, most < 6 * 9 ? SF_ERR_OVERFLOW : SF_OK);
+        CHECK((stack == NULL) == (status != SF_OK));
+        CHECK(status == SF_OK || strstr(fault.message, "vertices_max") != NULL);
+        sf_contour_stack_destroy(stack);
+        sf_threemf_destroy(document);
+    }
+}
+
+// References to nothing, which a walk would pass again and again for every place.
+static void refuses_references_to_nothing(void)
+{
+    static archive a;
+    memset(&a, 0, sizeof a);
+    archive_add(&a, "_rels/.rels", RELS("/3D/3dmodel.model"));
+    archive_add(&a, "3D/3dmodel.model",
+                MODEL("",
+                      STACK("8", "", "<s:sliceref slicestackid=\"3\" slicepath=\"/2D/a.model\"/>")
+                          SLICED("1", "8", ""),
+                      ITEM("1")));
+    archive_add(&a, "2D/a.model", MODEL("", STACK("3", "", ""), ""));
+    archive_end(&a);
+    CHECK(refused(&a, NULL, SF_ERR_FORMAT, "leads to none"));
+}
+
 int main(void)
 {
     TEST(measures_the_torus);
@@ -261,6 +299,8 @@ int main(void)
     TEST(reads_references);
     TEST(joins_items);
     TEST(refuses_what_are_no_layers);
+    TEST(bounds_what_is_placed);
+    TEST(refuses_references_to_nothing);
     TEST(takes_no_rough_mesh);
     TEST(survives_failing_memory);
     return test_finish();
