@@ -22,17 +22,27 @@ Points = npt.NDArray[np.float64]
 
 
 class c_contours:
-    """Polygons as the library has them, while they are needed."""
+    """Polygons as the library has them: `with c_contours(polygons) as c: ...`.
+
+    C has no more than the address of the points, so they must stay until its call has returned; what
+    is handed out of a `with` does.
+    """
 
     def __init__(self, polygons: Iterable[Any]) -> None:
         arrays = [_core.array_in(p, np.float64, (None, 2), "polygon") for p in polygons]
         self._starts = np.zeros(len(arrays) + 1, np.uintp)
         np.cumsum([len(p) for p in arrays], out=self._starts[1:], dtype=np.uintp)
         self._points = np.concatenate(arrays) if arrays else np.zeros((0, 2))
-        self.c = ffi.new("sf_contours *")
-        self.c.points_mm = _core.pointer("double", self._points)
-        self.c.starts = ffi.cast("size_t *", ffi.from_buffer(self._starts))
-        self.c.contour_count = len(arrays)
+        self._c = ffi.new("sf_contours *")
+        self._c.points_mm = _core.pointer("double", self._points)
+        self._c.starts = ffi.cast("size_t *", ffi.from_buffer(self._starts))
+        self._c.contour_count = len(arrays)
+
+    def __enter__(self) -> Any:
+        return self._c
+
+    def __exit__(self, *_: object) -> None:
+        pass
 
 
 @dataclass(frozen=True)
@@ -47,7 +57,8 @@ class ContourLayer:
     @documented("sf_contours_area_mm2")
     def area_mm2(self) -> float:
         """The signed area inside."""
-        return float(lib.sf_contours_area_mm2(c_contours(self.polygons).c))
+        with c_contours(self.polygons) as c:
+            return float(lib.sf_contours_area_mm2(c))
 
 
 class ContourStack:
@@ -95,7 +106,8 @@ class ContourStack:
     def add(self, top_mm: float, polygons: Iterable[Any]) -> None:
         """A layer on top, up to `top_mm`."""
         fault = _core.new_fault()
-        ok(lib.sf_contour_stack_add(self._c, top_mm, c_contours(polygons).c, fault), fault)
+        with c_contours(polygons) as c:
+            ok(lib.sf_contour_stack_add(self._c, top_mm, c, fault), fault)
 
     @documented("sf_contour_stack_trace")
     def trace(self, top_mm: float, layer: Layer, lattice: Lattice) -> None:
@@ -155,9 +167,8 @@ def layer_from_contours(lattice: Lattice, polygons: Iterable[Any],
                         fill: ContourFill = ContourFill.NONZERO) -> Layer:
     """A plane of voxels that is solid where polygons have a centre inside."""
     made, fault = Layer(lattice.nx, lattice.ny), _core.new_fault()
-    with _lattice(lattice) as c:
-        ok(lib.sf_slice_from_contours(made._c, c, c_contours(polygons).c, int(fill), ffi.NULL,
-                                      fault), fault)
+    with _lattice(lattice) as on, c_contours(polygons) as c:
+        ok(lib.sf_slice_from_contours(made._c, on, c, int(fill), ffi.NULL, fault), fault)
     return made
 
 

@@ -115,8 +115,10 @@ class Layer:
         self._take(words, width)
 
     def _take(self, words: npt.NDArray[np.uint64], width: int) -> None:
-        self._words, self._p = words, ffi.new("sf_slice *")
-        self._p.words = ffi.cast("uint64_t *", ffi.from_buffer(words))
+        # A view, which numpy does not resize, and a pointer, which keeps what is seen from being moved.
+        self._words, self._p = words.view(), ffi.new("sf_slice *")
+        self._kept = _core.pointer("uint64_t", words)
+        self._p.words = self._kept
         self._p.height, self._p.width = words.shape[0], width
         self._p.stride = words.shape[1]
 
@@ -267,7 +269,7 @@ class Layer:
         count = ffi.new("size_t *")
         ok(lib.sf_slice_run_count(self._c, count))
         found = np.empty(count[0], RUN)
-        ok(lib.sf_slice_runs(self._c, c_runs(found), len(found), count))
+        ok(lib.sf_slice_runs(self._c, *c_runs(found), count))
         return found
 
     @classmethod
@@ -275,16 +277,16 @@ class Layer:
     def from_runs(cls, runs: npt.NDArray[np.void], width: int, height: int) -> Layer:
         """A layer that is solid where a run is."""
         made = cls(width, height)
-        ok(lib.sf_slice_from_runs(made._c, c_runs(runs), len(runs)))
+        ok(lib.sf_slice_from_runs(made._c, *c_runs(runs)))
         return made
 
     @documented("sf_runs_label", "sf_runs_measure")
     def components(self, connectivity: Connectivity = Connectivity.CORNERS) -> Components:
         """The connected parts: runs with labels from 0 on, and the area and box of each label."""
         runs, count = self.runs(), ffi.new("uint32_t *")
-        ok(lib.sf_runs_label(c_runs(runs), len(runs), int(connectivity), count))
+        ok(lib.sf_runs_label(*c_runs(runs), int(connectivity), count))
         parts = ffi.new("sf_component[]", max(count[0], 1))
-        ok(lib.sf_runs_measure(c_runs(runs), len(runs), parts, count[0]))
+        ok(lib.sf_runs_measure(*c_runs(runs), parts, count[0]))
         return Components(runs, _core.Values(parts, count[0]))
 
     def __repr__(self) -> str:
@@ -292,10 +294,10 @@ class Layer:
         return f"<libsf.Layer {width} x {height}, {self.count()} solid voxels>"
 
 
-def c_runs(runs: npt.NDArray[np.void]) -> Any:
-    """Runs as the library has them: the array's own memory."""
+def c_runs(runs: npt.NDArray[np.void]) -> tuple[Any, int]:
+    """Runs as the library has them, and how many: the array's own memory, which the pointer keeps."""
     array = _core.array_in(runs, RUN, (None,), "runs")
-    return ffi.cast("sf_run *", ffi.from_buffer(array)) if array.size else ffi.NULL
+    return _core.pointer("sf_run", array), len(array)
 
 
 def _plane(array: Any) -> Bools:

@@ -194,15 +194,14 @@ class Checker:
     @documented("sf_checker_push_runs")
     def push_runs(self, runs: npt.NDArray[np.void]) -> None:
         """The next layer as runs, as `Layer.runs()` gives them."""
-        ok(lib.sf_checker_push_runs(self._c, c_runs(runs), len(runs)))
+        ok(lib.sf_checker_push_runs(self._c, *c_runs(runs)))
 
     @documented("sf_checker_push_contours")
     def push_contours(self, polygons: Iterable[Any], fill: ContourFill = ContourFill.NONZERO) -> None:
         """The next layer as closed polygons of points (n, 2), in mm from the corner of the first voxel."""
         fault = _core.new_fault()
-        with _lattice(self._lattice) as c:
-            ok(lib.sf_checker_push_contours(self._c, c, c_contours(polygons).c, int(fill), ffi.NULL,
-                                            fault), fault)
+        with _lattice(self._lattice) as on, c_contours(polygons) as c:
+            ok(lib.sf_checker_push_contours(self._c, on, c, int(fill), ffi.NULL, fault), fault)
 
     @documented("sf_checker_report")
     def report(self) -> Checked:

@@ -48,6 +48,21 @@ class Contours(unittest.TestCase):
         checker.push_contours([[[0, 0], [8, 0], [8, 8], [0, 8]]])
         self.assertEqual(checker.report().report.unsupported_voxels, 64 - 25)
 
+    def test_points_stay_while_the_library_reads_them(self):
+        # So many that they are memory of the system's, which is gone at once when it is given back.
+        turn = np.linspace(0, 2 * np.pi, 200_000, endpoint=False)
+        disk = np.column_stack([50 + 40 * np.cos(turn), 50 + 40 * np.sin(turn)])
+        area = np.pi * 40 * 40
+        self.assertAlmostEqual(libsf.ContourLayer(0, 1, [disk]).area_mm2, area, 4)
+        stack = libsf.ContourStack()
+        stack.add(1, [disk])
+        self.assertAlmostEqual(stack[0].area_mm2, area, 4)
+        layer = libsf.layer_from_contours(libsf.Lattice(100, 100, 1), [disk])
+        self.assertAlmostEqual(layer.count(), area, delta=40)
+        checker = libsf.Checker(100, 100)
+        checker.push_contours([disk])
+        self.assertEqual(checker.report().report.solid_voxels, layer.count())
+
     def test_files(self):
         stack = libsf.ContourStack()
         stack.add(0.1, [SQUARE, INNER[::-1]])

@@ -8,6 +8,7 @@ import unittest
 import numpy as np
 
 import libsf
+from libsf.layers import c_runs
 
 
 def scattered(seed, height=37, width=131, share=0.4):
@@ -85,6 +86,20 @@ class Layers(unittest.TestCase):
         self.assertEqual(len(layer.components(libsf.Connectivity.EDGES).parts), 4)
         with self.assertRaises(TypeError):
             libsf.Layer.from_runs(np.zeros((3, 4), np.uint32), 9, 4)
+
+    def test_runs_of_a_list_stay_while_they_are_read(self):
+        pointer, count = c_runs([(3, 5, 1, 7)])
+        others = [np.full(16, 255, np.uint8) for _ in range(1000)]
+        self.assertEqual((count, pointer[0].x0, pointer[0].x1, len(others)), (1, 3, 5, 1000))
+        self.assertEqual(libsf.Layer.from_runs([(3, 5, 1, 0), (0, 4, 2, 0)], 8, 4).count(), 6)
+
+    def test_words_are_not_moved_from_under_a_layer(self):
+        layer = libsf.Layer(6000, 6000)
+        for words in (layer.words, layer.words.base):
+            with self.assertRaises(ValueError):
+                words.resize((1, 1))
+        layer.fill()
+        self.assertEqual(layer.count(), 6000 * 6000)
 
     def test_instruction_sets_agree(self):
         layer = libsf.Layer.from_array(scattered(5))
