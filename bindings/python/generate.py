@@ -31,13 +31,34 @@ extern "Python" {
 int sf_cli_main(int, char **);
 typedef struct { void *handle; double asked_s; } sf_py_ticker;
 void sf_py_tick(void *, double);
+typedef struct { sf_task_body body; void *context; unsigned char *begun; size_t ended; } sf_py_pieces;
+void sf_py_piece(sf_py_pieces *, size_t);
+size_t sf_py_ended(sf_py_pieces *);
 """
 
 # Progress that nobody watches is still where Ctrl-C is heard; fifty times a second will do.
-TICKER = """
+#
+# A piece of parallel work is run by whoever asks for it first, and its end is counted: so nobody has to know
+# whether an exception fell before a piece or behind it.
+HELPERS = """
 #include <time.h>
 
 int sf_cli_main(int argc, char **argv);
+
+typedef struct { sf_task_body body; void *context; unsigned char *begun; size_t ended; } sf_py_pieces;
+
+static void sf_py_piece(sf_py_pieces *pieces, size_t i)
+{
+    if (__atomic_exchange_n(&pieces->begun[i], 1, __ATOMIC_RELAXED) == 0) {
+        pieces->body(pieces->context, i);
+        __atomic_add_fetch(&pieces->ended, 1, __ATOMIC_RELEASE);
+    }
+}
+
+static size_t sf_py_ended(sf_py_pieces *pieces)
+{
+    return __atomic_load_n(&pieces->ended, __ATOMIC_ACQUIRE);
+}
 
 typedef struct { void *handle; double asked_s; } sf_py_ticker;
 
@@ -98,7 +119,7 @@ def write_module(api, folder):
     ffi = cffi.FFI()
     ffi.cdef(c_declarations(api) + CALLBACKS)
     includes = "".join(f"#include <{h['name']}>\n" for h in api["headers"])
-    ffi.set_source("libsf._sf", includes + TICKER)
+    ffi.set_source("libsf._sf", includes + HELPERS)
     ffi.emit_c_code(os.path.join(folder, "_sf.c"))
 
 

@@ -2,7 +2,7 @@
 
 Every call releases the interpreter's lock while the library works. A long one has a task: it
 reports progress, and each report is where Ctrl-C, or an exception of the caller's own `progress`,
-stops it. Threads are the caller's: `threads=4` lends the library a pool of that size.
+stops it. Threads are the caller's: `threads=4` lends the library that many, its own among them.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import itertools
 import math
 import os
 import threading
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Sequence, TypeVar, Union, overload
 
@@ -121,18 +120,49 @@ class Task:
         lib.sf_task_cancel(self.c)
 
     def share_out(self, count: int, body: Any, context: Any) -> None:
-        """Call body(context, i) for each i, from several threads; the lock is free meanwhile."""
-        numbers = itertools.count()
+        """Call body(context, i) once for each i, from several threads; the lock is free meanwhile.
 
-        def work() -> None:
-            for i in numbers:
-                if i >= count:
-                    return
-                body(context, i)
+        The library believes that all is done when this returns, and takes back what the pieces work
+        on. So whatever is raised meanwhile, Ctrl-C too, is kept, and the pieces are ended before; and
+        where there are no more threads to be had, this one does them.
+        """
+        begun = ffi.new("unsigned char[]", count)
+        pieces = ffi.new("sf_py_pieces *", [body, context, begun, 0])
+        numbers, through = itertools.count(), threading.Semaphore(0)
 
-        with ThreadPoolExecutor(min(self._threads, count)) as pool:
-            for done in [pool.submit(work) for _ in range(min(self._threads, count))]:
-                done.result()
+        def work(_kept: Any = begun) -> None:  # which a helper may look at when all has ended
+            try:
+                for i in numbers:
+                    if i >= count:
+                        return
+                    lib.sf_py_piece(pieces, i)
+            finally:
+                through.release()
+
+        helpers = min(self._threads, count) - 1
+        while lib.sf_py_ended(pieces) < count:
+            try:
+                while helpers > 0:
+                    helpers -= 1
+                    _start(work)
+                for i in numbers:
+                    if i >= count:
+                        break
+                    lib.sf_py_piece(pieces, i)
+                for i in range(count):  # what an exception has left out
+                    lib.sf_py_piece(pieces, i)
+                while lib.sf_py_ended(pieces) < count:
+                    through.acquire(timeout=0.1)
+            except BaseException as error:
+                self.fail(error)
+
+
+def _start(work: Callable[[], None]) -> None:
+    """A thread that helps; none where the machine has no more, or the interpreter is on its way out."""
+    try:
+        threading.Thread(target=work, daemon=True).start()
+    except (RuntimeError, MemoryError):
+        pass
 
 
 # The tasks of this thread's calls, the innermost last: where Ctrl-C falls between the lines of a
@@ -151,7 +181,7 @@ def sf_py_progress(user: Any, share: float) -> None:
     task.report(share)
 
 
-@ffi.def_extern()  # type: ignore[misc, unused-ignore, untyped-decorator]
+@ffi.def_extern(onerror=_interrupted)  # type: ignore[misc, unused-ignore, untyped-decorator]
 def sf_py_parallel(user: Any, count: int, body: Any, context: Any) -> None:
     ffi.from_handle(user).share_out(count, body, context)
 
@@ -216,6 +246,19 @@ def _checked(array: npt.NDArray[Any], dtype: npt.DTypeLike, shape: tuple[int | N
         raise ValueError(f"{name}: the array is not in C order; numpy.ascontiguousarray({name}) "
                          "makes a copy that is")
     return array
+
+
+def whole_numbers(value: Any, dtype: npt.DTypeLike, name: str) -> npt.NDArray[Any]:
+    """Numbers of places, of any type of integers that fit; a copy where it is another type."""
+    array = np.asarray(value)
+    if array.size == 0:
+        return np.zeros(array.shape, dtype)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name}: they are of {array.dtype}, and integers are needed")
+    ends = np.iinfo(np.dtype(dtype))
+    if array.dtype != ends.dtype and (array.min() < ends.min or array.max() > ends.max):
+        raise ValueError(f"{name}: a number is not from {ends.min} to {ends.max}")
+    return np.ascontiguousarray(array, dtype)
 
 
 def pointer(kind: str, array: npt.NDArray[Any] | None) -> Any:

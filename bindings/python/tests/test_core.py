@@ -11,6 +11,7 @@ import threading
 import time
 import tracemalloc
 import unittest
+from unittest import mock
 
 import numpy as np
 
@@ -153,6 +154,52 @@ class Tasks(unittest.TestCase):
         four = libsf.repair(self.grid, "octagon", threads=4)
         self.assertEqual(one.grid, four.grid)
         self.assertEqual(one.report.cost, four.report.cost)
+
+    def test_where_there_are_no_more_threads_the_work_is_done(self):
+        mesh = libsf.surface(self.grid)
+        one = libsf.voxelize(mesh, self.grid.lattice)
+        with mock.patch.object(threading.Thread, "start", side_effect=RuntimeError("can't start new thread")):
+            self.assertEqual(libsf.voxelize(mesh, self.grid.lattice, threads=4), one)
+
+    def test_work_goes_on_when_the_main_thread_has_ended(self):
+        code = ("import libsf, numpy, threading, time\n"
+                "cube = numpy.zeros((40, 40, 40), bool)\n"
+                "cube[5:35, 5:35, 5:35] = True\n"
+                "grid = libsf.Grid.from_array(cube)\n"
+                "mesh = libsf.surface(grid)\n"
+                "def late():\n"
+                "    threading.main_thread().join()\n"
+                "    time.sleep(0.2)\n"
+                "    print(libsf.voxelize(mesh, grid.lattice, threads=3) == grid, flush=True)\n"
+                "threading.Thread(target=late).start()\n")
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("True\n", "", 0))
+
+    def test_what_falls_between_pieces_is_raised_when_all_have_ended(self):
+        mesh, ended = libsf.surface(self.grid), []
+
+        def interrupted(work):
+            ended.append(threading.Thread(target=work))
+            ended[-1].start()
+            raise KeyboardInterrupt
+
+        with mock.patch.object(_core, "_start", interrupted), self.assertRaises(KeyboardInterrupt):
+            libsf.voxelize(mesh, self.grid.lattice, threads=3)
+        self.assertGreaterEqual(len(ended), 2)
+        libsf.voxelize(mesh, self.grid.lattice, threads=3)
+
+    def test_each_piece_is_run_once(self):
+        ran = []
+
+        @_core.ffi.callback("sf_task_body")
+        def body(context, i):
+            ran.append(i)
+
+        task = _core.Task(None, 5)
+        for count in (1, 2, 7, 1000):
+            ran.clear()
+            task.share_out(count, body, _core.ffi.NULL)
+            self.assertEqual(sorted(ran), list(range(count)))
 
     def test_the_lock_is_free_while_the_library_works(self):
         ticks, done = [0], threading.Event()
