@@ -273,7 +273,7 @@ int options_parse(const cli_verb *verb, int argc, char **argv, cli_options *made
 static const char *describe_input(const char *name)
 {
     if (strcmp(name, "MESH") == 0) {
-        return "\nA MESH is an STL, OBJ, PLY, OFF or glTF (.glb) file.\n";
+        return "\nA MESH is an STL, OBJ, PLY, OFF, 3MF or glTF (.glb) file.\n";
     }
     if (strcmp(name, "CAGE") == 0) {
         return "\nA CAGE is a mesh of cells with properties: legacy VTK, Medit .mesh or MFEM "
@@ -289,10 +289,9 @@ static const char *describe_input(const char *name)
                "else)."
                "\n";
     }
-    return "\nA FILE is an STL, OBJ, PLY, OFF or glTF mesh, a job of a printer (.sl1, .photon), "
-           "contours "
-           "(.cli),\na folder with a stack of pictures that sf wrote, or scene:garden, a scene "
-           "that the program\nmakes itself.\n";
+    return "\nA FILE is an STL, OBJ, PLY, OFF, 3MF or glTF mesh, a job of a printer (.sl1, "
+           ".photon),\ncontours (.cli), a folder with a stack of pictures that sf wrote, or "
+           "scene:garden, a scene\nthat the program makes itself.\n";
 }
 
 void options_help(const cli_verb *verb, FILE *to)

@@ -13,8 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double SAME_MM = 1e-6; // heights that differ by less are one
-
 exit_status sliced_open(cli_job *job, const char *path, sf_threemf **document)
 {
     sf_file *file = NULL;
@@ -45,21 +43,6 @@ static double longest_side(const sf_contour_stack *stack)
     return fmax(top - bottom, fmax(high[0] - low[0], high[1] - low[1]));
 }
 
-// Layers that are all of one height are so to the last bit, and need no table of heights.
-static void level(sf_lattice *lattice)
-{
-    double sum = 0, least = INFINITY, most = 0;
-    for (uint32_t k = 0; k < lattice->nz; k++) {
-        sum += lattice->heights_mm[k];
-        least = fmin(least, lattice->heights_mm[k]);
-        most = fmax(most, lattice->heights_mm[k]);
-    }
-    if (most - least < SAME_MM) {
-        lattice->layer_mm = floor(sum / lattice->nz * 1e9 + 0.5) / 1e9;
-        lattice->heights_mm = NULL;
-    }
-}
-
 static exit_status choose(cli_job *job, const sf_contour_stack *stack, double *heights,
                           sf_lattice *lattice)
 {
@@ -80,7 +63,6 @@ static exit_status choose(cli_job *job, const sf_contour_stack *stack, double *h
         return job_fail(job, EXIT_INPUT, "%s: Its slices are empty; there is nothing to print.",
                         asked->input);
     }
-    level(lattice);
     return lattice_check_memory(job, lattice, 0);
 }
 
