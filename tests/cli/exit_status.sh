@@ -15,11 +15,11 @@ for arguments in "check" "check a b" "check --nonsense x" "check x --angle 90" "
     "render x --pixels 64.7,64" "render x --pixels 640,480.5" \
     "check x --rule cone" "check x --rule box3 --angle 30" "check x --scale -1" \
     "check x --size 10 --scale 2" "check x --threads 0" "check x --pitch" "check x -o y" \
-    "check x --bed nan" "trim x -o y.3mf" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
+    "check x --bed nan" "trim x -o y.step" "trim x -o y.off" "slice x -o y.stl" "render x -o y.stl" \
     "run x -o y.png" "orient x -o y.png" "orient x --count 0" "orient x --pitch 1" "info x --pitch 1" "check scene:garden --bed 1000" \
     "check scene:garden --up +x" "check scene:garden --pitch 1,2 --rule octagon" \
     "preserve x" "preserve x --remove y --mode paper" "grow x --keep y" "trim x --forbid y" \
-    "check x --remove y" "grow x -o y.3mf" "repair x --min-feature 0" "repair x --min-feature -1" \
+    "check x --remove y" "grow x -o y.step" "repair x --min-feature 0" "repair x --min-feature -1" \
     "repair x --min-feature nan" "repair x --min-feature inf" "trim x --min-feature 1" \
     "repair scene:garden --resolution 24 --min-feature 1e6" "grow x --angle nan" \
     "repair x --angle -45" "preserve x --remove y --angle 1e300" "grow x --bridge nan" \
