@@ -36,7 +36,7 @@ static inline uint32_t crc_of(const void *data, size_t size)
 static inline size_t put_number(unsigned char *at, uint64_t value, size_t size)
 {
     for (size_t i = 0; i < size; i++) {
-        at[i] = (unsigned char)(value >> 8 * i);
+        at[i] = i < 8 ? (unsigned char)(value >> 8 * i) : 0;
     }
     return size;
 }
