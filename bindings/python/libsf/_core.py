@@ -13,6 +13,7 @@ import math
 import os
 import threading
 from contextlib import contextmanager
+from numbers import Real
 from typing import Any, Callable, Iterator, Sequence, TypeVar, Union, overload
 
 import numpy as np
@@ -261,6 +262,18 @@ def whole_numbers(value: Any, dtype: npt.DTypeLike, name: str) -> npt.NDArray[An
     return np.ascontiguousarray(array, dtype)
 
 
+def text(words: str, name: str) -> bytes:
+    """Text as the library takes it."""
+    return no_zero(words.encode(), name)
+
+
+def no_zero(said: bytes, name: str) -> bytes:
+    """What C reads as it is; it would take a 0 for the end."""
+    if b"\0" in said:
+        raise ValueError(f"{name}: {said!r} holds a 0 character")
+    return said
+
+
 def pointer(kind: str, array: npt.NDArray[Any] | None) -> Any:
     """A C pointer to an array's own memory; the array must be kept meanwhile."""
     if array is None:
@@ -277,8 +290,8 @@ def memory(address: Any, kind: str, shape: tuple[int, ...], owner: Any, writable
     if count == 0 or address == ffi.NULL:
         return np.empty(shape, dtype)
     kept = ffi.gc(ffi.cast("char *", address), _Holder(owner))
-    array: npt.NDArray[Any] = np.frombuffer(ffi.buffer(kept, count * dtype.itemsize), dtype).reshape(shape)
-    array.flags.writeable = writable
+    seen = memoryview(ffi.buffer(kept, count * dtype.itemsize))
+    array: npt.NDArray[Any] = np.frombuffer(seen if writable else seen.toreadonly(), dtype).reshape(shape)
     return array
 
 
@@ -290,6 +303,16 @@ class _Holder:
 
     def __call__(self, address: Any) -> None:
         self._owner = None
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is one number, Python's or numpy's, and no sequence."""
+    return isinstance(value, Real)
+
+
+def for_each(value: Any, count: int) -> list[float]:
+    """A number for each of so many things: the one that was given, or those."""
+    return [float(value)] * count if is_number(value) else [float(x) for x in value]
 
 
 def numbers(values: Any, count: int, name: str) -> Any:

@@ -53,7 +53,7 @@ def save(tets: Tets, to: _files.Writable) -> None:
     if _files.is_path(to):
         _files.replace(to, memory.getvalue())  # type: ignore[arg-type]
     else:
-        to.write(memory.getvalue())  # type: ignore[union-attr]
+        _files.put(to, memory.getvalue())
 
 
 def _text(value: Any) -> str:

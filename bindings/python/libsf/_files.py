@@ -5,6 +5,7 @@ A file that is written by its path shows when it is whole, or not at all.
 
 from __future__ import annotations
 
+import io
 import os
 from contextlib import contextmanager
 from typing import IO, Any, Iterator, Union
@@ -20,6 +21,11 @@ Writable = Union[Path, IO[bytes]]
 
 def is_path(what: Any) -> bool:
     return isinstance(what, (str, os.PathLike))
+
+
+def c_path(path: Path) -> bytes:
+    """A path as the library takes it."""
+    return _core.no_zero(os.fsencode(path), "path")
 
 
 class _Stream:
@@ -50,11 +56,24 @@ def sf_py_read(user: Any, to: Any, size: int, got: Any) -> int:
 def sf_py_write(user: Any, data: Any, size: int) -> int:
     stream: _Stream = ffi.from_handle(user)
     try:
-        stream.file.write(bytes(ffi.buffer(ffi.cast("const char *", data), size)))
+        put(stream.file, bytes(ffi.buffer(ffi.cast("const char *", data), size)))
         return 0
     except BaseException as error:
         stream.error = error
         return int(Status.ERR_IO)
+
+
+def put(file: Any, data: bytes) -> None:
+    """Write all of it: a raw file takes as much as it likes, and says how much that was."""
+    while data:
+        taken = file.write(data)
+        if taken is None and isinstance(file, io.RawIOBase):
+            raise BlockingIOError("the file takes nothing at the moment, and must not be waited for")
+        if not isinstance(taken, int):
+            return
+        if not 0 < taken <= len(data):
+            raise OSError(f"the file took {taken} bytes of {len(data)}")
+        data = data[taken:]
 
 
 @contextmanager
@@ -74,7 +93,7 @@ def source(of: Readable) -> Iterator[Any]:
     """A source of bytes for a call."""
     if is_path(of):
         fault, file = _core.new_fault(), ffi.new("sf_file **")
-        ok(lib.sf_file_open(os.fsencode(of), ffi.NULL, file, fault), fault)  # type: ignore[arg-type]
+        ok(lib.sf_file_open(c_path(of), ffi.NULL, file, fault), fault)  # type: ignore[arg-type]
         try:
             yield lib.sf_file_source(file[0])
         finally:
@@ -97,7 +116,7 @@ def sink(to: Writable) -> Iterator[Any]:
     """A sink of bytes for a call: what is written to a path appears when all went well."""
     if is_path(to):
         fault, save = _core.new_fault(), ffi.new("sf_save **")
-        ok(lib.sf_save_begin(os.fsencode(to), ffi.NULL, save, fault), fault)  # type: ignore[arg-type]
+        ok(lib.sf_save_begin(c_path(to), ffi.NULL, save, fault), fault)  # type: ignore[arg-type]
         try:
             yield lib.sf_save_sink(save[0])
         except BaseException:
@@ -117,7 +136,7 @@ def sink(to: Writable) -> Iterator[Any]:
 def folder_to_read(path: Path) -> Iterator[Any]:
     """A folder whose files a call reads."""
     fault, made = _core.new_fault(), ffi.new("sf_directory **")
-    ok(lib.sf_directory_read(os.fsencode(path), ffi.NULL, made, fault), fault)
+    ok(lib.sf_directory_read(c_path(path), ffi.NULL, made, fault), fault)
     try:
         yield lib.sf_directory_folder(made[0])
     finally:
@@ -128,7 +147,7 @@ def folder_to_read(path: Path) -> Iterator[Any]:
 def folder_to_write(path: Path) -> Iterator[Any]:
     """A folder that a call fills; it shows when all went well."""
     fault, made = _core.new_fault(), ffi.new("sf_directory **")
-    ok(lib.sf_directory_write(os.fsencode(path), ffi.NULL, made, fault), fault)
+    ok(lib.sf_directory_write(c_path(path), ffi.NULL, made, fault), fault)
     try:
         yield lib.sf_directory_folder(made[0])
     except BaseException:

@@ -83,7 +83,7 @@ class Balance:
     """
 
     def __init__(self, faces: Any, density: float = 1.0) -> None:
-        self._faces = np.ascontiguousarray(faces, np.uint32)
+        self._faces = _core.whole_numbers(faces, np.uint32, "faces")
         self._density = density
 
     def _at(self, vertices: Any) -> tuple[Mesh, Any, Vectors]:

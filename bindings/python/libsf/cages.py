@@ -35,7 +35,7 @@ def known_property(name: str) -> Property:
 
 def c_property(known: Property) -> Any:
     """A property as the library has it."""
-    return {"name": known.name.encode(), "uuid": list(known.uuid), "si": list(known.si), "low": known.low,
+    return {"name": _core.text(known.name, "name"), "uuid": list(known.uuid), "si": list(known.si), "low": known.low,
             "high": known.high}
 
 
@@ -97,8 +97,8 @@ class Cage:
         points = _core.array_in(points, np.float64, (None, 3), "points")
         counts = np.array([len(c) for c in cells], np.uint32)
         starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.uint32)
-        corners = np.concatenate([np.asarray(c, np.uint32) for c in cells]) if len(counts) else \
-            np.zeros(0, np.uint32)
+        corners = _core.whole_numbers(np.concatenate([np.asarray(c) for c in cells]) if len(counts) else (),
+                                      np.uint32, "cells")
         sharp = ffi.new("sf_crease[]", [{"points": [a, b], "sharpness": s} for a, b, s in creases] or 1)
         view, fault, made = ffi.new("sf_cage_view *"), _core.new_fault(), ffi.new("sf_cage **")
         view.dimension = dimension
@@ -236,7 +236,7 @@ class Cage:
         values = _core.array_in(values, np.float64, (self._view.point_count,), "values")
         channel, fault = ffi.new("sf_channel *"), _core.new_fault()
         if isinstance(name, str):
-            ok(lib.sf_property_named(name.encode(), ffi.addressof(channel, "property")))
+            ok(lib.sf_property_named(_core.text(name, "name"), ffi.addressof(channel, "property")))
             channel.property.low, channel.property.high = low, high
         else:
             channel.property = c_property(name)

@@ -144,7 +144,7 @@ class ContourStack:
     @documented("sf_contour_stack_lattice")
     def lattice(self, pitch_mm: float | tuple[float, float]) -> Lattice:
         """A lattice that holds all of it, a layer of voxels for each of its own."""
-        x, y = (pitch_mm, pitch_mm) if isinstance(pitch_mm, (int, float)) else pitch_mm
+        x, y = _core.for_each(pitch_mm, 2)
         heights, c = ffi.new("double[]", max(len(self), 1)), ffi.new("sf_lattice *")
         ok(lib.sf_contour_stack_lattice(self._c, x, y, heights, len(self), c))
         return lattice_of(c)

@@ -9,7 +9,6 @@
 from __future__ import annotations
 
 import operator
-import os
 from typing import Any, Iterator
 
 import numpy as np
@@ -33,8 +32,7 @@ class Job:
         options = _core.options("sf_job_options", threshold=threshold, bytes_max=bytes_max,
                                 layers_max=layers_max)
         if pitch_mm is not None:
-            both = (pitch_mm, pitch_mm) if isinstance(pitch_mm, (int, float)) else pitch_mm
-            options.pitch_mm = [float(p) for p in both]
+            options.pitch_mm = _core.for_each(pitch_mm, 2)
         made, fault = ffi.new("sf_job **"), _core.new_fault()
         try:
             ok(lib.sf_job_open(self._bytes(file), options, ffi.NULL, made, fault), fault)
@@ -48,11 +46,13 @@ class Job:
         fault = _core.new_fault()
         if _files.is_path(file):
             opened, bytes_of = ffi.new("sf_file **"), ffi.new("sf_bytes *")
-            ok(lib.sf_file_open(os.fsencode(file), ffi.NULL, opened, fault), fault)
+            ok(lib.sf_file_open(_files.c_path(file), ffi.NULL, opened, fault), fault)
             self._file = opened[0]
             ok(lib.sf_file_bytes(self._file, bytes_of, fault), fault)
             return bytes_of[0]
-        self._memory = bytes(file)
+        if not isinstance(file, (bytes, bytearray, memoryview)):
+            raise TypeError("give a path or bytes")
+        self._memory = bytes(file)  # these themselves; of what may change a copy
         self._cursor = ffi.new("sf_memory_cursor *")
         self._cursor.data = ffi.from_buffer(self._memory)
         self._cursor.size = len(self._memory)
@@ -140,7 +140,7 @@ def save_sl1(grid: Grid, file: _files.Writable, *, name: str | None = None,
              exposure_s: float | None = None, first_exposure_s: float | None = None,
              fade_layers: int | None = None, progress: Progress = None) -> None:
     """Write a grid as a new SL1 job."""
-    called = ffi.new("char[]", name.encode()) if name is not None else None
+    called = ffi.new("char[]", _core.text(name, "name")) if name is not None else None
     settings = _core.options("sf_sl1_settings", exposure_s=exposure_s,
                              first_exposure_s=first_exposure_s, fade_layers=fade_layers)
     if called is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Iterator
 
 import numpy as np
@@ -188,7 +187,7 @@ def _format_of(file: Any, format: MeshFormat | str | None) -> MeshFormat:
         if isinstance(format, str):
             return MeshFormat["THREEMF" if format.upper() == "3MF" else format.upper()]
         return format
-    return MeshFormat(lib.sf_mesh_format_from_name(os.fsencode(file) if _files.is_path(file) else b""))
+    return MeshFormat(lib.sf_mesh_format_from_name(_files.c_path(file) if _files.is_path(file) else b""))
 
 
 def _plain(array: Any, dtype: npt.DTypeLike) -> Any:

@@ -29,9 +29,9 @@ class Tip:
     def shaped(cls, shape: TipShape | str, radius_vx: float | Triple) -> Tip:
         """A sphere, box, cylinder or cone; half its extents in voxels."""
         shape = TipShape[shape.upper()] if isinstance(shape, str) else shape
-        radius = [float(radius_vx)] * 3 if isinstance(radius_vx, (int, float)) else radius_vx
+        radius = _core.numbers(_core.for_each(radius_vx, 3), 3, "radius_vx")
         made = ffi.new("sf_tip **")
-        ok(lib.sf_tip_create(int(shape), _core.numbers(list(radius), 3, "radius_vx"), ffi.NULL, made))
+        ok(lib.sf_tip_create(int(shape), radius, ffi.NULL, made))
         return cls(made[0])
 
     @classmethod
@@ -244,7 +244,10 @@ class c_dabs:
     """Voxels (n, 3) as dabs; the array must be kept while they are used."""
 
     def __init__(self, dabs: Any) -> None:
-        self._array = np.ascontiguousarray(dabs, np.int32).reshape(-1, 3)
+        array = _core.whole_numbers(dabs, np.int32, "dabs")
+        if array.size > 0 and (array.ndim > 2 or array.shape[-1] != 3):
+            raise ValueError(f"dabs: their shape is {array.shape}, and (n, 3) or (3,) is needed")
+        self._array = array.reshape(-1, 3)
         self.count = len(self._array)
         self.c = ffi.cast("sf_dab *", ffi.from_buffer(self._array)) if self.count else ffi.NULL
 

@@ -83,9 +83,9 @@ class Session:
     def add_tip(self, shape: TipShape | str, radius_vx: float | Sequence[float]) -> int:
         """A tip by formula; its number."""
         shape = TipShape[shape.upper()] if isinstance(shape, str) else shape
-        radius = [float(radius_vx)] * 3 if isinstance(radius_vx, (int, float)) else list(radius_vx)
+        radius = _core.numbers(_core.for_each(radius_vx, 3), 3, "radius_vx")
         number = ffi.new("uint32_t *")
-        ok(lib.sf_session_add_tip(self._c, int(shape), _core.numbers(radius, 3, "radius_vx"), number))
+        ok(lib.sf_session_add_tip(self._c, int(shape), radius, number))
         return int(number[0])
 
     @documented("sf_session_add_mask")

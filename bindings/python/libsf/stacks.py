@@ -65,7 +65,7 @@ def save_materials(layers: Iterable[npt.NDArray[np.uint8]], folder: _files.Path,
     """
     c, fault = ffi.new("sf_material[]", max(len(materials), 1)), _core.new_fault()
     for i, m in enumerate(materials):
-        c[i].name, c[i].colour, c[i].density_g_cm3 = m.name.encode(), list(m.colour), m.density_g_cm3
+        c[i].name, c[i].colour, c[i].density_g_cm3 = _core.text(m.name, "name"), list(m.colour), m.density_g_cm3
     made, uses = ffi.new("sf_layers **"), ffi.new("sf_material_use[]", max(len(materials), 1))
     with _files.folder_to_write(folder) as to, _lattice(lattice) as on:
         ok(lib.sf_layers_begin(to, on, len(materials), c, ffi.NULL, made, fault), fault)

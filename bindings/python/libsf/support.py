@@ -39,7 +39,7 @@ class Rule:
     def named(cls, name: str, angle_deg: float = 45.0, **more: float) -> Rule:
         """A rule by its name: "box3", "octagon", "disk", "slack"; its angle in degrees."""
         kind = ffi.new("sf_rule_kind *")
-        ok(lib.sf_rule_kind_from_name(name.encode(), kind))
+        ok(lib.sf_rule_kind_from_name(_core.text(name, "name"), kind))
         return cls(RuleKind(kind[0]), math.radians(angle_deg), **more)
 
     @property

@@ -178,6 +178,8 @@ class _Layers:
     def fill(self, k: int, planes: Any) -> None:
         lattice, fields = self.filling.lattice, self.filling.fields
         values = np.asarray(self.filling.layer(k), np.float64)
+        if np.isnan(values).any():
+            raise ValueError(f"layer {k}: it holds what is no number")
         if values.shape != (len(fields), lattice.ny, lattice.nx):
             raise ValueError(f"layer {k}: its shape is {values.shape}, and "
                              f"{(len(fields), lattice.ny, lattice.nx)} is needed")
@@ -205,7 +207,7 @@ class _Kept:
         self.all: list[Any] = []
 
     def text(self, words: str) -> Any:
-        return self.keep(ffi.new("char[]", words.encode()))
+        return self.keep(ffi.new("char[]", _core.text(words, "name")))
 
     def keep(self, what: Any) -> Any:
         self.all.append(what)
@@ -217,8 +219,8 @@ def _c_object(to: Any, part: Part, colors: int, kept: _Kept) -> None:
     to.name, to.kind, to.mesh, to.stack = kept.text(part.name), int(part.kind), mesh._view, NONE
     if part.colors is None:
         return
-    numbers = np.asarray(part.colors, np.int64)
-    if numbers.shape != mesh.faces.shape or numbers.min() < -1 or numbers.max() >= colors:
+    numbers = _core.whole_numbers(part.colors, np.int64, "colors")
+    if numbers.shape != mesh.faces.shape or ((numbers < -1) | (numbers >= colors)).any():
         raise ValueError(f"colors: give numbers of colors, one for each corner of {len(mesh.faces)} faces")
     held = kept.keep(np.ascontiguousarray(np.where(numbers < 0, NONE, numbers), np.uint32))
     to.colours = _core.pointer("uint32_t", held)
@@ -248,6 +250,8 @@ def _c_view(parts: Sequence[Part], build: Iterable[Placed], colors: Sequence[Col
         _c_object(c.objects[i], part, len(colors), kept)
     for i, item in enumerate(items):
         matrix: Any = np.asarray(item.matrix, np.float64)
+        if matrix.shape != (4, 4) or not np.allclose(matrix[3], (0, 0, 0, 1)):
+            raise ValueError("matrix: give one of 4 x 4, its last row 0, 0, 0, 1")
         c.items[i].object = item.part
         c.items[i].placed.matrix = [float(x) for x in matrix[:3, :3].reshape(-1)]
         c.items[i].placed.shift_mm = [float(x) for x in matrix[:3, 3]]

@@ -34,13 +34,14 @@ class Lattice:
     origin_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
-        pitch = self.pitch_mm
-        if isinstance(pitch, (int, float)):
+        pitch: Any = self.pitch_mm
+        if _core.is_number(pitch):
             object.__setattr__(self, "pitch_mm", (float(pitch), float(pitch)))
         else:
             object.__setattr__(self, "pitch_mm", (float(pitch[0]), float(pitch[1])))
-        if not isinstance(self.layer_mm, (int, float)):
-            object.__setattr__(self, "layer_mm", tuple(float(h) for h in self.layer_mm))
+        layer: Any = self.layer_mm
+        same = _core.is_number(layer)
+        object.__setattr__(self, "layer_mm", float(layer) if same else tuple(float(h) for h in layer))
         x, y, z = self.origin_mm
         object.__setattr__(self, "origin_mm", (float(x), float(y), float(z)))
         for name in ("nx", "ny", "nz"):
@@ -89,7 +90,7 @@ class _lattice:
 
     def __init__(self, lattice: Lattice) -> None:
         heights = lattice.layer_mm
-        self._heights = ffi.NULL if isinstance(heights, (int, float)) else ffi.new("double[]", heights)
+        self._heights = ffi.NULL if _core.is_number(heights) else ffi.new("double[]", heights)
         if self._heights != ffi.NULL and len(heights) != lattice.nz:  # type: ignore[arg-type]
             raise ValueError(f"layer_mm: {len(heights)} heights for {lattice.nz} layers")  # type: ignore[arg-type]
         self.c = ffi.new("sf_lattice *")
@@ -98,7 +99,7 @@ class _lattice:
                 raise ValueError(f"{name}: {n} voxels along an axis")
             setattr(self.c, name, n)
         self.c.pitch_x_mm, self.c.pitch_y_mm = lattice.pitch_mm
-        self.c.layer_mm = heights if isinstance(heights, (int, float)) else 0
+        self.c.layer_mm = heights if _core.is_number(heights) else 0
         self.c.heights_mm = self._heights
         self.c.origin_mm = lattice.origin_mm
 

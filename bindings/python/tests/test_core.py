@@ -3,10 +3,12 @@ calls that stop when they are asked to."""
 
 import ctypes
 import gc
+import io
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import tracemalloc
@@ -49,6 +51,9 @@ class Arrays(unittest.TestCase):
         mesh = libsf.Mesh(np.eye(3), [[0, 1, 2]])
         self.assertEqual(address(mesh.vertices), address(mesh.vertices))
         self.assertFalse(mesh.vertices.flags.writeable)
+        for array in (mesh.vertices, mesh.faces):
+            with self.assertRaises(ValueError):
+                array.flags.writeable = True
         self.assertEqual(address(mesh.vertices), int(_core.ffi.cast("uintptr_t", mesh._view.vertices)))
 
     def test_arrays_go_in_where_they_are(self):
@@ -110,6 +115,43 @@ class Arrays(unittest.TestCase):
         with self.assertRaises(libsf.ArgumentError):
             libsf.Mesh(np.zeros((3, 3)), [[0, 1, 3]])
 
+    def test_names_do_not_end_at_a_zero(self):
+        grid = libsf.Grid.from_array(np.ones((2, 2, 2), bool))
+        mesh = libsf.surface(grid)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "part\0.stl")
+            for call in (lambda: mesh.save(path), lambda: libsf.Mesh.load(path), lambda: libsf.Job(path),
+                         lambda: libsf.save_stack(grid, path), lambda: libsf.load_stack(path),
+                         lambda: libsf.Rule.named("box3\0"),
+                         lambda: libsf.save_sl1(grid, io.BytesIO(), name="a\0b"),
+                         lambda: libsf.save_threemf(io.BytesIO(), [libsf.Part(mesh, "a\0b")])):
+                with self.assertRaisesRegex(ValueError, "0 character"):
+                    call()
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_numbers_of_numpys_are_numbers(self):
+        lattice = libsf.Lattice(np.int64(4), 4, 4, np.float32(0.5), np.float32(0.25))
+        self.assertEqual(lattice, libsf.Lattice(4, 4, 4, 0.5, 0.25))
+        self.assertEqual(libsf.Lattice(4, 4, 2, 1, (0.5, 1)).layer_mm, (0.5, 1.0))
+
+    def test_numbers_that_do_not_fit_are_refused(self):
+        model, tip = libsf.Sculpt(libsf.Lattice(8, 8, 8)), libsf.Tip.shaped("box", 1)
+        block = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
+        points = np.array(block, float)
+        for kind, call in (
+                (ValueError, lambda: model.stroke("add-trim", tip, np.array([[2**32 + 4, 4, 0]]))),
+                (TypeError, lambda: model.stroke("add-trim", tip, [(4.5, 4, 0)])),
+                (ValueError, lambda: model.stroke("add-trim", tip, [(4, 4, 0, 4, 5, 0)])),
+                (ValueError, lambda: libsf.Cage(points, np.arange(8).reshape(1, 8) - 2**32)),
+                (TypeError, lambda: libsf.Cage(points, np.arange(8.0).reshape(1, 8))),
+                (ValueError, lambda: libsf.Balance([[0, 1, -1]])),
+        ):
+            with self.assertRaises(kind):
+                call()
+        self.assertEqual(model.printable().count(), 0)
+        model.stroke("add-trim", tip, np.array([[4, 4, 0]], np.uint64))
+        self.assertGreater(model.printable().count(), 0)
+
 
 class Tasks(unittest.TestCase):
     @classmethod
@@ -163,8 +205,8 @@ class Tasks(unittest.TestCase):
 
     def test_work_goes_on_when_the_main_thread_has_ended(self):
         code = ("import libsf, numpy, threading, time\n"
-                "cube = numpy.zeros((40, 40, 40), bool)\n"
-                "cube[5:35, 5:35, 5:35] = True\n"
+                "cube = numpy.zeros((128, 128, 128), bool)\n"
+                "cube[5:120, 5:120, 5:120] = True\n"
                 "grid = libsf.Grid.from_array(cube)\n"
                 "mesh = libsf.surface(grid)\n"
                 "def late():\n"

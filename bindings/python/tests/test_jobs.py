@@ -94,6 +94,11 @@ class Jobs(unittest.TestCase):
             self.assertIsNone(after.testzip())
             self.assertEqual(before.read("config.ini"), after.read("config.ini"))
 
+    def test_a_job_is_of_a_path_or_bytes(self):
+        for wrong in (10**12, io.BytesIO(b"no job"), [1, 2, 3], None):
+            with self.assertRaisesRegex(TypeError, "path or bytes"):
+                libsf.Job(wrong)
+
     def test_what_is_no_job(self):
         for data in (b"", b"PK", b"solid part", b"PK\5\6" + 18 * b"\0"):
             with self.assertRaises((libsf.FormatError, libsf.UnsupportedError)):

@@ -25,6 +25,12 @@ end
 
 
 class Strokes(unittest.TestCase):
+    def test_a_mesh_is_a_tip(self):
+        cube = libsf.surface(libsf.Grid.from_array(np.ones((4, 4, 4), bool)))
+        for layer_mm in (1, 1.0, (1.0,) * 8):
+            mask, anchor = libsf.Tip.mesh(cube, libsf.Lattice(8, 8, 8, 1, layer_mm)).mask()
+            self.assertEqual((mask.count(), mask[anchor[::-1]]), (64, True))
+
     def test_a_ball_on_the_bed(self):
         model = libsf.Sculpt(libsf.Lattice(64, 64, 64))
         change = model.stroke("add-trim", libsf.Tip.shaped("sphere", 10), [(32, 32, 0)], material=3)

@@ -45,6 +45,32 @@ class Streams(unittest.TestCase):
         with self.assertRaises(PermissionError):
             libsf.Cage.load(Broken())
 
+    def test_raw_files_get_all_of_it(self):
+        class Raw(io.RawIOBase):
+            """Takes a few bytes at a time, as pipes and sockets may."""
+
+            def __init__(self, answers):
+                super().__init__()
+                self.data, self.answers = b"", answers
+
+            def writable(self):
+                return True
+
+            def write(self, data):
+                taken = self.answers(len(data))
+                self.data += bytes(data[:taken or 0])
+                return taken
+
+        whole = io.BytesIO()
+        box(2, 3, 5).save(whole, "stl")
+        raw = Raw(lambda size: min(size, 7))
+        box(2, 3, 5).save(raw, "stl")
+        self.assertEqual(raw.data, whole.getvalue())
+        for answers, error in ((lambda size: None, BlockingIOError), (lambda size: 0, OSError),
+                               (lambda size: size + 1, OSError)):
+            with self.assertRaises(error):
+                box(2, 3, 5).save(Raw(answers), "stl")
+
     def test_nothing_is_left_half_written(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "part.ply")

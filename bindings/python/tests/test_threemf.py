@@ -67,6 +67,16 @@ class ThreeMF(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             saved([CORNER], filling=libsf.Filling(lattice, [("a", 0, 1)], lambda k: 1 // 0))
 
+    def test_what_is_no_number_no_color_no_place_is_refused(self):
+        lattice, shades = libsf.Lattice(2, 2, 2), [libsf.Color((0, 0, 0, 0))]
+        with self.assertRaisesRegex(ValueError, "layer 0: it holds what is no number"):
+            saved([CORNER], filling=libsf.Filling(lattice, [("a", 0, 1)], lambda k: np.full((1, 2, 2), np.nan)))
+        with self.assertRaisesRegex(TypeError, "integers"):
+            saved([libsf.Part(CORNER, colors=np.full((4, 3), 0.9))], colors=shades)
+        for matrix in (np.eye(3), np.diag([1, 1, 1, 2.0])):
+            with self.assertRaisesRegex(ValueError, "4 x 4"):
+                saved([CORNER], build=[libsf.Placed(0, matrix)])
+
     def test_what_cannot_be_is_refused(self):
         with self.assertRaisesRegex(libsf.FormatError, "3MF"):
             libsf.ThreeMF.load(b"PK\x03\x04 and no more")
