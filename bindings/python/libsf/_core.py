@@ -14,7 +14,7 @@ import os
 import threading
 from contextlib import contextmanager
 from numbers import Real
-from typing import Any, Callable, Iterator, Sequence, TypeVar, Union, overload
+from typing import Any, Callable, Iterator, Sequence, TypeVar, Union, cast, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -206,6 +206,43 @@ def running(progress: Progress = None, threads: int | None = 1) -> Iterator[Any]
         _under_way.tasks.pop()
     if task.error is not None:
         raise task.error
+
+
+# --- Turns --------------------------------------------------------------------------------------
+
+
+class InTurn:
+    """An object of the library's that serves one call at a time.
+
+    The interpreter's lock is free while the library works, so it keeps no two threads apart, nor a
+    callback from the object that calls it. Here threads wait for each other, and a callback is refused.
+    """
+
+    _turn: threading.Lock
+    _serves: int | None
+
+    def __new__(cls: type[T], *_: Any, **__: Any) -> T:
+        made: Any = object.__new__(cls)
+        made._turn, made._serves = threading.Lock(), None
+        return cast(T, made)
+
+
+def in_turn(method: C) -> C:
+    """A method of such an object during which no other one runs."""
+
+    @functools.wraps(method)
+    def call(self: Any, *given: Any, **named: Any) -> Any:
+        me = threading.get_ident()
+        if self._serves == me:
+            raise RuntimeError(f"{method.__name__}: the object is in the middle of a call, which is to return first")
+        with self._turn:
+            self._serves = me
+            try:
+                return method(self, *given, **named)
+            finally:
+                self._serves = None
+
+    return call  # type: ignore[return-value]
 
 
 # --- Arrays -------------------------------------------------------------------------------------

@@ -83,7 +83,7 @@ def sf_py_value(user: Any, at: Any, value: Any) -> int:
 # --- Cages --------------------------------------------------------------------------------------
 
 
-class Cage:
+class Cage(_core.InTurn):
     """A control mesh of cells, or of faces alone, with properties at its points.
 
     `cells` is an (n, 8) array of hexahedra, or a list of cells of any kind that is served: 4 points
@@ -187,18 +187,21 @@ class Cage:
         return _core.memory(v.positions, "float64", (v.point_count, 3), self._c)
 
     @documented("sf_cage_set_positions")
+    @_core.in_turn
     def move(self, points: Any, first: int = 0) -> None:
         """Put points elsewhere."""
         points = _core.array_in(points, np.float64, (None, 3), "points")
         ok(lib.sf_cage_set_positions(self._c, first, len(points), _core.pointer("double", points)))
 
     @documented("sf_cage_map_positions")
+    @_core.in_turn
     def map_points(self, function: Callable[[Place], Sequence[float]]) -> None:
         """Move all points by a function of their places."""
         given = _Function(lambda at, _: function(at))
         given.ok(lib.sf_cage_map_positions(self._c, lib.sf_py_place, given.handle, ffi.NULL))
 
     @documented("sf_cage_map_values")
+    @_core.in_turn
     def map_values(self, name: str, function: Callable[[Place, float], float]) -> None:
         """Set all values of a property by a function of the place, and of what the value is before."""
         given = _Function(function)
@@ -223,6 +226,7 @@ class Cage:
         return _core.memory(v.channels[i].values, "float64", (v.channels[i].value_count,), self._c)
 
     @documented("sf_cage_set_values")
+    @_core.in_turn
     def set_values(self, name: str, values: Any, first: int = 0) -> None:
         """Change values of a property."""
         i = self._channel(name)
@@ -230,6 +234,7 @@ class Cage:
         ok(lib.sf_cage_set_values(self._c, i, first, len(values), _core.pointer("double", values)))
 
     @documented("sf_cage_add_property", "sf_property_named")
+    @_core.in_turn
     def add_property(self, name: str | Property, values: Any, low: float = -np.inf,
                      high: float = np.inf) -> None:
         """A new property: a value for each point; by a name and its bounds, or one that is known."""
@@ -244,6 +249,7 @@ class Cage:
         ok(lib.sf_cage_add_property(self._c, channel, fault), fault)
 
     @documented("sf_cage_remove_property")
+    @_core.in_turn
     def remove_property(self, name: str) -> None:
         """Take a property away."""
         ok(lib.sf_cage_remove_property(self._c, self._channel(name)))
@@ -272,6 +278,7 @@ class Cage:
         """Paint a property with a brush, as `select` takes it. How many values are others now."""
         return self.paint_selected(name, self.select(at_mm, radius_mm, **brush), amount, operation)
 
+    @_core.in_turn
     def paint_selected(self, name: str, weights: Floats, amount: float,
                        operation: PaintOperation | str = PaintOperation.SET) -> int:
         """Paint a property by weights of the points."""
@@ -282,6 +289,7 @@ class Cage:
         return int(changed[0])
 
     @documented("sf_paint_move")
+    @_core.in_turn
     def drag(self, weights: Floats, vector_mm: Sequence[float]) -> int:
         """Move points, each by its weight times a vector. How many are elsewhere now."""
         changed = ffi.new("size_t *")
@@ -290,6 +298,7 @@ class Cage:
         return int(changed[0])
 
     @documented("sf_paint_smooth")
+    @_core.in_turn
     def smooth(self, weights: Floats, amount: float = 1.0) -> int:
         """Move points towards the means of their neighbours. How many are elsewhere now."""
         changed = ffi.new("size_t *")

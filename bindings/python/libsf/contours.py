@@ -61,7 +61,7 @@ class ContourLayer:
             return float(lib.sf_contours_area_mm2(c))
 
 
-class ContourStack:
+class ContourStack(_core.InTurn):
     """Layers of polygons with their heights, from the bottom up.
 
         stack = libsf.ContourStack()
@@ -97,12 +97,14 @@ class ContourStack:
         return cls._of(made[0])
 
     @documented("sf_contour_stack_write")
+    @_core.in_turn
     def save(self, file: _files.Writable, format: ContourFormat = ContourFormat.TEXT) -> None:
         """Write a CLI file."""
         with _files.sink(file) as to:
             ok(lib.sf_contour_stack_write(self._c, int(format), to))
 
     @documented("sf_contour_stack_add")
+    @_core.in_turn
     def add(self, top_mm: float, polygons: Iterable[Any]) -> None:
         """A layer on top, up to `top_mm`."""
         fault = _core.new_fault()
@@ -110,6 +112,7 @@ class ContourStack:
             ok(lib.sf_contour_stack_add(self._c, top_mm, c, fault), fault)
 
     @documented("sf_contour_stack_trace")
+    @_core.in_turn
     def trace(self, top_mm: float, layer: Layer, lattice: Lattice) -> None:
         """A layer on top: the border of a plane of voxels."""
         with _lattice(lattice) as c:
@@ -129,6 +132,7 @@ class ContourStack:
         return int(lib.sf_contour_stack_count(self._c))
 
     @documented("sf_contour_stack_layer")
+    @_core.in_turn
     def __getitem__(self, layer: int) -> ContourLayer:
         k = operator.index(layer) + (len(self) if layer < 0 else 0)
         if not 0 <= k < len(self):
@@ -142,6 +146,7 @@ class ContourStack:
         return ContourLayer(bottom[0], top[0], [points[a:b] for a, b in zip(starts, starts[1:])])
 
     @documented("sf_contour_stack_lattice")
+    @_core.in_turn
     def lattice(self, pitch_mm: float | tuple[float, float]) -> Lattice:
         """A lattice that holds all of it, a layer of voxels for each of its own."""
         x, y = _core.for_each(pitch_mm, 2)
@@ -150,6 +155,7 @@ class ContourStack:
         return lattice_of(c)
 
     @documented("sf_grid_from_contours")
+    @_core.in_turn
     def grid(self, lattice: Lattice, fill: ContourFill = ContourFill.NONZERO, *,
              progress: Progress = None) -> Grid:
         """Its voxels: solid where the centre is inside."""

@@ -124,7 +124,7 @@ def halftone(tones: Any, *, solid: Any = None, layer: int = 0, mask: Mask | None
     return asked.ids
 
 
-class Diffuser:
+class Diffuser(_core.InTurn):
     """Diffuses errors through slices of one size, from the lowest up."""
 
     @documented("sf_diffuser_create")
@@ -136,6 +136,7 @@ class Diffuser:
         self._c, self._count = ffi.gc(made[0], lib.sf_diffuser_destroy), materials
 
     @documented("sf_diffuser_slice")
+    @_core.in_turn
     def push(self, tones: Any, *, solid: Any = None, keep_outs: Sequence[KeepOut] = ()) -> Ids:
         """The materials of the next slice up; tones as `halftone` takes them."""
         asked = _Asked(tones, solid, 0, keep_outs)
@@ -145,6 +146,7 @@ class Diffuser:
         return asked.ids
 
     @documented("sf_diffuser_report")
+    @_core.in_turn
     def report(self) -> list[_types.Diffusion]:
         """What became of the tones of each material so far, in voxels."""
         found = ffi.new("sf_diffusion[]", self._count)
@@ -155,7 +157,7 @@ class Diffuser:
 # --- Shells -------------------------------------------------------------------------------------
 
 
-class Shell:
+class Shell(_core.InTurn):
     """The voxels that come nearer than a distance to a surface, any layer by its number."""
 
     @documented("sf_shell_create")
@@ -169,6 +171,7 @@ class Shell:
         return self._lattice.nz
 
     @documented("sf_shell_slice")
+    @_core.in_turn
     def __getitem__(self, k: int) -> Layer:
         """Layer k; a new one each time."""
         if not -len(self) <= k < len(self):

@@ -21,7 +21,7 @@ from .layers import Layer
 from .voxel import Grid, Lattice, lattice_of
 
 
-class Job:
+class Job(_core.InTurn):
     """A job: .sl1 or .photon, a path or bytes. `threshold` is the least grey, of 255, that is solid."""
 
     @documented("sf_job_open", "sf_file_bytes", "sf_memory_bytes")
@@ -59,6 +59,7 @@ class Job:
         return lib.sf_memory_bytes(self._cursor)
 
     @documented("sf_job_close")
+    @_core.in_turn
     def close(self) -> None:
         """Close the file; the job is of no more use."""
         lib.sf_job_close(self._c)
@@ -83,6 +84,7 @@ class Job:
 
     @property
     @documented("sf_job_describe")
+    @_core.in_turn
     def info(self) -> _types.JobInfo:
         """What it says of itself."""
         found = ffi.new("sf_job_info *")
@@ -99,6 +101,7 @@ class Job:
         return k
 
     @documented("sf_job_read")
+    @_core.in_turn
     def __getitem__(self, layer: int) -> Layer:
         """A layer as it is exposed."""
         made, fault = Layer(self._lattice.nx, self._lattice.ny), _core.new_fault()
@@ -109,6 +112,7 @@ class Job:
         return (self[k] for k in range(len(self)))
 
     @documented("sf_job_read_grey")
+    @_core.in_turn
     def greys(self, layer: int) -> npt.NDArray[np.uint8]:
         """The greys of a layer, (y, x), row 0 the lowest."""
         made, fault = np.empty((self._lattice.ny, self._lattice.nx), np.uint8), _core.new_fault()
@@ -116,6 +120,7 @@ class Job:
                                 self._lattice.nx, fault), fault)
         return made
 
+    @_core.in_turn
     def grid(self) -> Grid:
         """All layers in one grid."""
         made, fault = Grid(self._lattice), _core.new_fault()
@@ -124,6 +129,7 @@ class Job:
         return made
 
     @documented("sf_job_rewrite")
+    @_core.in_turn
     def rewrite(self, grid: Grid, file: _files.Writable, *, progress: Progress = None) -> int:
         """Write the job with the layers of a grid, and all else byte for byte; how many differ."""
         changed, fault = ffi.new("uint32_t *"), _core.new_fault()

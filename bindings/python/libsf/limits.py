@@ -195,7 +195,7 @@ class Slice:
     values: dict[str, Floats]
 
 
-class Sampler:
+class Sampler(_core.InTurn):
     """Slices of a limit or of tetrahedra: any one by its number, or all by iterating."""
 
     def __init__(self, c: Any, of: Any, lattice: Lattice, names: Sequence[str]) -> None:
@@ -215,6 +215,7 @@ class Sampler:
     def __len__(self) -> int:
         return self._lattice.nz
 
+    @_core.in_turn
     def __getitem__(self, k: int) -> Slice:
         self._of.check()
         if not -len(self) <= k < len(self):
@@ -229,11 +230,13 @@ class Sampler:
         return (self[k] for k in range(len(self)))
 
     @documented("sf_sampler_surface")
+    @_core.in_turn
     def surface(self) -> Mesh:
         """The surface by which voxels are solid."""
         return Mesh._copied(lib.sf_sampler_surface(self._c, ffi.NULL))
 
     @documented("sf_sampler_report")
+    @_core.in_turn
     def report(self) -> _types.SampleReport:
         """What became of the voxels of all slices so far."""
         found = ffi.new("sf_sample_report *")

@@ -232,7 +232,7 @@ def voxelize(mesh: Any, lattice: Lattice | None = None, *, pitch_mm: float | Non
     return grid
 
 
-class Voxelizer:
+class Voxelizer(_core.InTurn):
     """The slices of a mesh on a lattice, any one by its number; for shapes that no memory holds."""
 
     @documented("sf_voxelizer_create")
@@ -247,6 +247,7 @@ class Voxelizer:
         return self._lattice.nz
 
     @documented("sf_voxelizer_slice")
+    @_core.in_turn
     def __getitem__(self, k: int) -> Layer:
         """Slice k; a new one each time."""
         if not -len(self) <= k < len(self):
@@ -259,6 +260,7 @@ class Voxelizer:
         return (self[k] for k in range(len(self)))
 
     @documented("sf_voxelizer_report")
+    @_core.in_turn
     def report(self) -> _types.VoxelizeReport:
         """What was found so far, over all slices that were asked for."""
         found = ffi.new("sf_voxelize_report *")

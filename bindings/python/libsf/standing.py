@@ -80,7 +80,7 @@ def _stance_options(given: Any) -> dict[str, Any]:
     return {**given, "kind": int(StanceKind[kind.upper()] if isinstance(kind, str) else kind)}
 
 
-class Stand:
+class Stand(_core.InTurn):
     """A shape on its way to standing: a round at a time, handles posed by hand in between.
 
         shape = libsf.Stand(mesh, handles=4)
@@ -133,6 +133,7 @@ class Stand:
             self._fields.ok(status, fault)
         self._c, self._stances = ffi.gc(made[0], lib.sf_stand_destroy), len(stances)
 
+    @_core.in_turn
     def _go(self, call: Any, progress: Progress, threads: int | None) -> _types.StandReport:
         report = ffi.new("sf_stand_report *")
         with running(progress, threads) as task:
@@ -155,6 +156,7 @@ class Stand:
         return _core.value(lib.sf_stand_describe(self._c))  # type: ignore[no-any-return]
 
     @documented("sf_stand_set_pose")
+    @_core.in_turn
     def set_pose(self, handle: int, pose: Pose, *, lock: bool = True) -> None:
         """Pose a handle by hand; locked it keeps that, else the next round may move it on."""
         ok(lib.sf_stand_set_pose(self._c, handle, ffi.new("sf_pose *", c_pose(pose)), int(lock)))
@@ -167,6 +169,7 @@ class Stand:
         return pose_of(lib.sf_stand_get_pose(self._c, handle))
 
     @documented("sf_stand_stance")
+    @_core.in_turn
     def stance(self, index: int = 0) -> Stance:
         """A stance of the shape as it is."""
         c = lib.sf_stand_stance(self._c, index)
@@ -175,13 +178,16 @@ class Stand:
         return Stance._like(c, lib.sf_stand_outer(self._c))
 
     @documented("sf_stand_density")
+    @_core.in_turn
     def density(self) -> npt.NDArray[np.float32] | None:
         """What 1 mm3 of each voxel weighs, (layer, y, x); a copy; None where all weigh 1."""
         c = lib.sf_stand_density(self._c)
         if c == ffi.NULL:
             return None
-        return np.array(_core.memory(c, "float32", self.result().grid.shape, self._c))
+        on = lib.sf_grid_lattice(lib.sf_stand_grid(self._c))
+        return np.array(_core.memory(c, "float32", (on.nz, on.ny, on.nx), self._c))
 
+    @_core.in_turn
     def result(self) -> Standing:
         """The shape as it is; after the first round at the earliest."""
         grid = lib.sf_stand_grid(self._c)

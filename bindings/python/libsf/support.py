@@ -143,7 +143,7 @@ def check(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None, f
     return Checked(_core.value(report), _core.Values(places, count[0]))
 
 
-class Checker:
+class Checker(_core.InTurn):
     """A check of layers as they come, from the bottom up, in memory of a few layers.
 
         checker = Checker(width=1440, height=2560)
@@ -172,6 +172,7 @@ class Checker:
         self._c = made[0]
         self._shape = (height, width)
 
+    @_core.in_turn
     def push(self, layer: Any, threshold: int | None = None) -> None:
         """The next layer: a Layer, an array of bools (y, x), or of uint8, solid from `threshold` on."""
         if isinstance(layer, Layer):
@@ -192,11 +193,13 @@ class Checker:
         ok(lib.sf_checker_push(self._c, Layer.from_array(layer)._c))
 
     @documented("sf_checker_push_runs")
+    @_core.in_turn
     def push_runs(self, runs: npt.NDArray[np.void]) -> None:
         """The next layer as runs, as `Layer.runs()` gives them."""
         ok(lib.sf_checker_push_runs(self._c, *c_runs(runs)))
 
     @documented("sf_checker_push_contours")
+    @_core.in_turn
     def push_contours(self, polygons: Iterable[Any], fill: ContourFill = ContourFill.NONZERO) -> None:
         """The next layer as closed polygons of points (n, 2), in mm from the corner of the first voxel."""
         fault = _core.new_fault()
@@ -204,6 +207,7 @@ class Checker:
             ok(lib.sf_checker_push_contours(self._c, on, c, int(fill), ffi.NULL, fault), fault)
 
     @documented("sf_checker_report")
+    @_core.in_turn
     def report(self) -> Checked:
         """What was found so far."""
         report, count = ffi.new("sf_check_report *"), ffi.new("size_t *")

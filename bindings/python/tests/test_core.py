@@ -13,6 +13,7 @@ import threading
 import time
 import tracemalloc
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from unittest import mock
 
 import numpy as np
@@ -278,6 +279,64 @@ class Tasks(unittest.TestCase):
         self.assertEqual(child.wait(10), 0)
         print(f"# stopped after {1000 * (answered - asked):.0f} ms")
         self.assertLess(answered - asked, 5)  # 0.1 s is asked for; a loaded machine may take longer
+
+
+class Turns(unittest.TestCase):
+    def test_threads_wait_for_each_other(self):
+        grid = libsf.Grid.from_array(ball(64, 28))
+        mesh, lattice = libsf.surface(grid), grid.lattice
+        limit = libsf.Limit(libsf.Cage.block((3, 3, 3), (0, 0, 0), (60, 60, 60)))
+        sampler = limit.slices(lattice)
+        for layers in (libsf.Voxelizer(mesh, lattice), libsf.Shell(mesh, lattice, 1.5), sampler):
+            def solid(k, layers=layers):
+                found = layers[k]
+                return (found if isinstance(found, libsf.Layer) else libsf.Layer.from_array(found.solid)).words
+
+            one = [solid(k) for k in range(64)]
+            with ThreadPoolExecutor(8) as pool:
+                for _ in range(5):
+                    for k, found in enumerate(pool.map(solid, range(64))):
+                        np.testing.assert_array_equal(found, one[k])
+
+    def test_what_is_in_the_middle_of_a_call_is_left_alone(self):
+        cage = libsf.Cage.block((1, 1, 1), (0, 0, 0), (1, 1, 1))
+        cage.add_property("tone", np.array(cage.points[:, 0]))
+        with self.assertRaisesRegex(RuntimeError, "remove_property: .* middle of a call"):
+            cage.map_values("tone", lambda at, value: cage.remove_property("tone"))
+        cage.map_values("tone", lambda at, value: 1 - value)
+        np.testing.assert_array_equal(cage.values("tone"), 1 - cage.points[:, 0])
+
+        mesh = libsf.surface(libsf.Grid.from_array(np.ones((6, 6, 6), bool)))
+        asked = []
+
+        def density(at):
+            if asked:
+                asked.pop().round()
+            return 1.0
+
+        stand = libsf.Stand(mesh, deform=False, handles=0, density=density, resolution=12, wall_mm=1)
+        asked.append(stand)
+        with self.assertRaisesRegex(RuntimeError, "middle of a call"):
+            stand.round()
+        self.assertTrue(stand.run().succeeded)
+
+    @unittest.skipUnless(libsf.jobs_have_sl1(), "this build writes no SL1")
+    def test_a_job_is_not_closed_while_it_is_written(self):
+        grid, file = libsf.Grid.from_array(np.ones((2, 8, 8), bool)), io.BytesIO()
+        libsf.save_sl1(grid, file)
+        job = libsf.Job(file.getvalue())
+
+        class Closing(io.RawIOBase):
+            def write(self, data):
+                job.close()
+                return len(data)
+
+        with self.assertRaisesRegex(RuntimeError, "middle of a call"):
+            job.rewrite(grid, Closing())
+        self.assertEqual(job.grid(), grid)
+        job.close()
+        with self.assertRaises(libsf.ArgumentError):
+            job[0]
 
 
 class Leaks(unittest.TestCase):
