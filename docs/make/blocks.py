@@ -71,8 +71,8 @@ class Runner:
         os.makedirs(folder, exist_ok=True)
         self.environment = dict(os.environ)
         tools = [os.path.join(build, "demo", "sf"), os.path.join(build, "demo", "verify"),
-                 os.path.join(build, "demo", "firmware")]
-        libraries = [os.path.join(build, "libsf"), os.path.join(build, "libsf", "io")]
+                 os.path.join(build, "demo", "firmware"), os.path.join(build, "demo", "fill")]
+        libraries = [os.path.join(build, "libsf", room) for room in ("", "io", "link")]
         self.environment["PATH"] = os.pathsep.join(tools + [self.environment.get("PATH", "")])
         self.environment["LD_LIBRARY_PATH"] = os.pathsep.join(libraries)
         self.environment["PKG_CONFIG_PATH"] = os.path.join(build, "meson-uninstalled")
@@ -145,8 +145,13 @@ class Runner:
             status, said = self.command(*compiler, *flags, "-Wno-unused", "-Wno-unused-result",
                                         "-fsyntax-only", name + ".c")
             return None if status == 0 else said
-        libraries = ["-L" + os.path.join(self.build, "libsf", "io"), "-L" + os.path.join(self.build, "libsf"),
-                     "-lsf-io", "-lsf", "-lm"]
+        adapters = re.findall(r"#include <sf/link/(\w+)\.h>", text)
+        for adapter in adapters:
+            if not os.path.exists(os.path.join(self.build, "libsf", "link", f"libsf-{adapter}.so")):
+                self.printed = None
+                return f"skip: the adapter {adapter} is not built"
+        libraries = ["-L" + os.path.join(self.build, "libsf", room) for room in ("link", "io", "")]
+        libraries += [f"-lsf-{adapter}" for adapter in adapters] + ["-lsf-io", "-lsf", "-lm"]
         status, said = self.command(*compiler, *flags, name + ".c", "-o", name, *libraries)
         if status != 0:
             return said

@@ -70,7 +70,9 @@ def reference(source, build, place):
         write(text, place, "reference", "python", name + ".rst")
     write(rust_reference.page(api, os.path.join(source, "bindings", "rust", "libsf", "src")), place, "reference", "rust.rst")
     more = [("sf-verify", os.path.join(build, "demo", "verify", "sf-verify")),
-            ("sf-chip", os.path.join(build, "demo", "firmware", "sf-chip"))]
+            ("sf-chip", os.path.join(build, "demo", "firmware", "sf-chip")),
+            ("sf-fill", os.path.join(build, "demo", "fill", "sf-fill")),
+            ("sf-tetgen", os.path.join(build, "demo", "fill", "sf-tetgen"))]
     write(cli_reference.page(os.path.join(build, "demo", "sf", "sf"), [m for m in more if os.path.exists(m[1])]),
           place, "reference", "cli.rst")
     write(performance.page(os.path.join(source, "docs", "performance.json")), place, "performance.rst")
