@@ -22,6 +22,8 @@ import subprocess
 import sys
 
 LANGUAGES = ("sh", "c", "python", "rust", "json", "toml", "cmake", "text", "vtk", "session", "meson")
+# In the folder of a page: the text of its blocks that were skipped.
+SKIPPED = "skipped.txt"
 COMMENT = re.compile(r"<!--\s*(file|first|exit|prints|given|with|not run)(?::\s*((?:(?!-->).)*?))?\s*-->\s*\Z", re.S)
 
 
@@ -60,6 +62,15 @@ def stray(text):
     return [i + 1 for i, line in enumerate(lines)
             if line.startswith("    ") and line.strip() and i > 0 and not lines[i - 1].strip()
             and not re.match(r"\s+([-*]|\d+\.)\s", line)]
+
+
+def excused(folder, picture):
+    """Whether a picture may be missing: a block that was skipped would have made it."""
+    path = os.path.join(folder, SKIPPED)
+    if not os.path.exists(path):
+        return False
+    with open(path, encoding="utf-8") as file:
+        return re.search(r"(?<![\w.-])" + re.escape(picture) + r"(?![\w.-])", file.read()) is not None
 
 
 class Runner:
@@ -111,6 +122,11 @@ class Runner:
         if wrong and wrong.startswith("skip: "):
             self.printed = None
         return wrong
+
+    def excuse(self, block):
+        """Keep in mind that a block was skipped: what it would have drawn is not there."""
+        with open(os.path.join(self.folder, SKIPPED), "a", encoding="utf-8") as file:
+            file.write(block.text)
 
     def compare(self, block):
         if self.printed is None:

@@ -47,19 +47,27 @@ def run(source, build, folder, page, text):
     runner = blocks.Runner(source, build, os.path.join(folder, "run", page.removesuffix(".md")))
     for block in blocks.find(page, text):
         wrong = runner.run(block)
-        if wrong and not wrong.startswith("skip: "):
+        if wrong and wrong.startswith("skip: "):
+            runner.excuse(block)
+        elif wrong:
             sys.exit(f"docs/{block.place()}: {wrong}")
 
 
 def pictures(folder, page, text):
-    """Puts what the blocks of a page drew where it looks for it."""
+    """Puts what the blocks of a page drew where it looks for it. Returns the page, without pictures that this build
+    cannot make."""
     place = os.path.join(folder, "source", os.path.dirname(page), "made")
+    ran = os.path.join(folder, "run", page.removesuffix(".md"))
     for name in sorted(set(MADE.findall(text))):
-        made = os.path.join(folder, "run", page.removesuffix(".md"), name)
+        made = os.path.join(ran, name)
+        if not os.path.exists(made) and blocks.excused(ran, name):
+            text = re.sub(r"!\[[^\]]*\]\(made/" + re.escape(name) + r"\)", "*(This build cannot make the picture.)*", text)
+            continue
         if not os.path.exists(made):
             sys.exit(f"docs/{page} shows {name}, which none of its blocks makes")
         os.makedirs(place, exist_ok=True)
         shutil.copy(made, place)
+    return text
 
 
 def reference(source, build, place):
@@ -84,8 +92,7 @@ def make(source, build, out):
     shutil.rmtree(place, ignore_errors=True)
     for page in names(source):
         text = read(source, "docs", page)
-        write(text, place, page)
-        pictures(out, page, text)
+        write(pictures(out, page, text), place, page)
     shutil.copytree(os.path.join(source, "docs", "pictures"), os.path.join(place, "pictures"),
                     ignore=shutil.ignore_patterns("*.sh", "*.input"))
     for schema in glob.glob(os.path.join(source, "docs", "*.schema.json")):
