@@ -7,6 +7,7 @@ stops it. Threads are the caller's: `threads=4` lends the library that many, its
 
 from __future__ import annotations
 
+import enum
 import functools
 import itertools
 import math
@@ -26,6 +27,7 @@ from ._sf import lib as lib
 Progress = Union[None, bool, Callable[[float], Any], Any]
 C = TypeVar("C", bound=Callable[..., Any])
 T = TypeVar("T")
+E = TypeVar("E", bound=enum.Enum)
 
 
 def documented(*names: str) -> Callable[[C], C]:
@@ -43,17 +45,27 @@ def documented(*names: str) -> Callable[[C], C]:
 # --- Statuses -----------------------------------------------------------------------------------
 
 
-def ok(status: int, fault: Any = None) -> None:
-    """Raise what a status stands for."""
+def ok(status: int, fault: Any = None, said: str = "") -> None:
+    """Raise what a status stands for, in the words of the fault, in those that are said, or its own."""
     if status == 0:
         return
-    message, line, offset = "", 0, 0
+    message, line, offset = said, 0, 0
     if fault is not None and fault.status != 0:
         message = ffi.string(fault.message).decode("utf-8", "replace")
         line, offset = fault.line, fault.offset
     if not message:
         message = ffi.string(lib.sf_status_message(status)).decode()
     raise errors.BY_STATUS.get(status, errors.InternalError)(message, line, offset)
+
+
+def member(kinds: type[E], what: E | str, name: str) -> E:
+    """One of an enum's values, or the one that is called so."""
+    if not isinstance(what, str):
+        return what
+    found = kinds.__members__.get(what.replace("-", "_").upper())
+    if found is None:
+        raise ValueError(f"{name}: there is no {what!r}; there are {', '.join(k.lower() for k in kinds.__members__)}")
+    return found
 
 
 def new_fault() -> Any:

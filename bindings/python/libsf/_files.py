@@ -89,13 +89,27 @@ def _told(stream: _Stream) -> Iterator[None]:
 
 
 @contextmanager
+def named(path: Any) -> Iterator[None]:
+    """Put a file's name, and the place in it, before what is said of what it holds."""
+    try:
+        yield
+    except errors.Error as error:
+        said = str(error)
+        if is_path(path) and os.fsdecode(path) not in said and not isinstance(error, errors.CancelledError):
+            place = f", line {error.line}" if error.line else f", byte {error.offset}" if error.offset else ""
+            error.args = (f"{os.fsdecode(path)}{place}: {said}",)
+        raise
+
+
+@contextmanager
 def source(of: Readable) -> Iterator[Any]:
     """A source of bytes for a call."""
     if is_path(of):
         fault, file = _core.new_fault(), ffi.new("sf_file **")
         ok(lib.sf_file_open(c_path(of), ffi.NULL, file, fault), fault)  # type: ignore[arg-type]
         try:
-            yield lib.sf_file_source(file[0])
+            with named(of):
+                yield lib.sf_file_source(file[0])
         finally:
             lib.sf_file_close(file[0])
     elif isinstance(of, (bytes, bytearray, memoryview)):

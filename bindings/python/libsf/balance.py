@@ -155,7 +155,7 @@ class Stance:
                  point_mm: Sequence[float] | None = None, lever_mm: float | None = None) -> None:
         mesh, fault = as_mesh(mesh), _core.new_fault()
         made = ffi.new("sf_stance **")
-        kind = StanceKind[kind.upper()] if isinstance(kind, str) else kind
+        kind = _core.member(StanceKind, kind, "kind")
         options = _core.options(
             "sf_stance_options", kind=int(kind), up=[float(x) for x in up], gamma_rad=gamma_rad,
             tolerance_rad=tolerance_rad, range_rad=range_rad, contact_mm=contact_mm,

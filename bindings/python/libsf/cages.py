@@ -282,7 +282,7 @@ class Cage(_core.InTurn):
     def paint_selected(self, name: str, weights: Floats, amount: float,
                        operation: PaintOperation | str = PaintOperation.SET) -> int:
         """Paint a property by weights of the points."""
-        operation = PaintOperation[operation.upper()] if isinstance(operation, str) else operation
+        operation = _core.member(PaintOperation, operation, "operation")
         changed = ffi.new("size_t *")
         ok(lib.sf_paint_values(self._c, self._channel(name), self._weights(weights), int(operation), amount,
                                ffi.NULL, changed))

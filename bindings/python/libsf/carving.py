@@ -14,7 +14,7 @@ from ._types import CarveGoal, CarveMode
 from .balance import Stance, c_body
 from .mesh import as_mesh
 from .support import AnyRule, _terms
-from .voxel import Grid, Lattice, _lattice
+from .voxel import Grid, Lattice, _lattice, grid_of
 
 Densities = npt.NDArray[np.float32]
 
@@ -29,7 +29,7 @@ class Carved:
 def wall(grid: Grid, mesh: Any, wall_mm: float, *, progress: Progress = None,
          threads: int | None = 1) -> Grid:
     """The voxels of a solid that are nearer to its surface than a wall may be thick."""
-    mesh, found = as_mesh(mesh), Grid(grid.lattice)
+    mesh, found = as_mesh(mesh), Grid(grid_of(grid).lattice)
     with running(progress, threads) as task:
         ok(lib.sf_grid_wall(grid._c, mesh._view, wall_mm, ffi.NULL, task, found._c))
     return found
@@ -45,7 +45,7 @@ def carve(grid: Grid, walls: Grid, stances: Sequence[Stance] = (), rule: AnyRule
 
     `density` is a float32 array in (layer, y, x) order: what 1 mm3 of each voxel weighs.
     """
-    result, report = Grid(grid.lattice), ffi.new("sf_carve_report *")
+    result, report = Grid(grid_of(grid).lattice), ffi.new("sf_carve_report *")
     terms = _terms(grid, rule, bed_layer, None, keep, None, act)
     weights = None if density is None else _core.array_in(density, np.float32, grid.shape, "density")
     c = ffi.new("sf_stance *[]", [s._c for s in stances] or [ffi.NULL])
@@ -56,14 +56,14 @@ def carve(grid: Grid, walls: Grid, stances: Sequence[Stance] = (), rule: AnyRule
     options.stances = ffi.cast("sf_stance *const *", c)
     options.stance_count = len(stances)
     with running(progress, threads) as task:
-        ok(lib.sf_grid_carve(grid._c, walls._c, terms.c, options, ffi.NULL, task, result._c, report))
+        ok(lib.sf_grid_carve(grid._c, grid_of(walls, "walls")._c, terms.c, options, ffi.NULL, task, result._c, report))
     return Carved(result, _core.value(report))
 
 
 @documented("sf_grid_wall_inside")
 def wall_inside(grid: Grid, wall_mm: float, *, progress: Progress = None) -> Grid:
     """The voxels of a solid that are nearer to what is empty than a wall may be thick."""
-    found = Grid(grid.lattice)
+    found = Grid(grid_of(grid).lattice)
     with running(progress) as task:
         ok(lib.sf_grid_wall_inside(grid._c, wall_mm, ffi.NULL, task, found._c))
     return found
@@ -133,7 +133,7 @@ def drain(grid: Grid, diameter_mm: float, rule: AnyRule | None = "box3", *, coun
     Without a rule nothing needs support. With stances, whose `body` is that of the part, holes lie
     where the balance changes least.
     """
-    result, report = grid.copy(), ffi.new("sf_drain_report *")
+    result, report = grid_of(grid).copy(), ffi.new("sf_drain_report *")
     weights = None if density is None else _core.array_in(density, np.float32, grid.shape, "density")
     places, c = ffi.new("sf_drain[]", max(limit, 1)), ffi.new("sf_stance *[]", [s._c for s in stances] or [ffi.NULL])
     options = _core.options("sf_drain_options", diameter_mm=diameter_mm, count=count, void_min=void_min,

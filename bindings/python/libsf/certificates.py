@@ -29,7 +29,7 @@ class Certificate:
                  before: Grid | None = None, progress: Progress = None) -> None:
         rule = Rule.named(rule) if isinstance(rule, str) else rule
         terms = _terms(shape, rule, bed_layer, exempt)
-        kind = Operation[operation.upper()] if isinstance(operation, str) else operation
+        kind = _core.member(Operation, operation, "operation")
         claim = _core.options("sf_claim", angle_rad=rule.angle_rad, bridge_span_mm=rule.bridge_span_mm,
                               bridge_anchor_mm=rule.bridge_anchor_mm, operation=int(kind))
         claim.terms = terms.c

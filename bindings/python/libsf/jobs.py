@@ -18,7 +18,7 @@ from . import _core, _files, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import JobFormat
 from .layers import Layer
-from .voxel import Grid, Lattice, lattice_of
+from .voxel import Grid, Lattice, grid_of, lattice_of
 
 
 class Job(_core.InTurn):
@@ -35,7 +35,8 @@ class Job(_core.InTurn):
             options.pitch_mm = _core.for_each(pitch_mm, 2)
         made, fault = ffi.new("sf_job **"), _core.new_fault()
         try:
-            ok(lib.sf_job_open(self._bytes(file), options, ffi.NULL, made, fault), fault)
+            with _files.named(file):
+                ok(lib.sf_job_open(self._bytes(file), options, ffi.NULL, made, fault), fault)
         except BaseException:
             self.close()
             raise
@@ -153,7 +154,7 @@ def save_sl1(grid: Grid, file: _files.Writable, *, name: str | None = None,
         settings.name = called
     fault = _core.new_fault()
     with _files.sink(file) as to, running(progress, 1) as task:
-        ok(lib.sf_sl1_write(grid._c, settings, ffi.NULL, to, task, fault), fault)
+        ok(lib.sf_sl1_write(grid_of(grid)._c, settings, ffi.NULL, to, task, fault), fault)
 
 
 @documented("sf_job_has_sl1")

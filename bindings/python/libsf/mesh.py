@@ -10,8 +10,9 @@ import numpy.typing as npt
 from . import _core, _files, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Fill, MeshFormat, RuleKind
+from .errors import ArgumentError
 from .layers import Layer
-from .voxel import Grid, Lattice, _lattice
+from .voxel import Grid, Lattice, _lattice, grid_of, lattice_needed
 
 
 class Mesh:
@@ -33,6 +34,10 @@ class Mesh:
         ok(lib.sf_mesh_create(ffi.NULL, made))
         self._take(made[0])
         ok(lib.sf_mesh_add_vertices(self._c, _core.pointer("double", vertices), len(vertices)))
+        beyond = np.argwhere(faces >= len(vertices))
+        if len(beyond) > 0:
+            i, j = beyond[0]
+            raise ArgumentError(f"faces[{i}]: there is no vertex {faces[i, j]}; vertices has {len(vertices)}")
         ok(lib.sf_mesh_add_triangles(self._c, _core.pointer("uint32_t", faces), len(faces)))
         fault = _core.new_fault()
         ok(lib.sf_mesh_validate(self._view, fault), fault)
@@ -185,7 +190,10 @@ def _format_of(file: Any, format: MeshFormat | str | None) -> MeshFormat:
     """The format that is named, or that a path's ending names."""
     if format is not None:
         if isinstance(format, str):
-            return MeshFormat["THREEMF" if format.upper() == "3MF" else format.upper()]
+            name = {"3MF": "THREEMF", "GLB": "GLTF"}.get(format.upper(), format.upper())
+            if name not in MeshFormat.__members__:
+                raise ValueError(f"format: there is no {format!r}; there are stl, obj, ply, off, 3mf and glb")
+            return MeshFormat[name]
         return format
     return MeshFormat(lib.sf_mesh_format_from_name(_files.c_path(file) if _files.is_path(file) else b""))
 
@@ -206,6 +214,8 @@ def _parts_of(other: Any) -> tuple[Any, Any]:
         return other.vertices, other.faces
     if hasattr(other, "points") and hasattr(other, "cells_dict"):
         return other.points, other.cells_dict["triangle"]
+    if _files.is_path(other):
+        raise TypeError(f"{other!r} is a name; libsf.Mesh.load({other!r}) reads the file")
     raise TypeError("give vertices and faces, or an object that has them, as trimesh's and meshio's do")
 
 
@@ -220,9 +230,11 @@ def voxelize(mesh: Any, lattice: Lattice | None = None, *, pitch_mm: float | Non
              threads: int | None = 1) -> Grid:
     """The voxels whose centres lie in a mesh: on a lattice, or on one of a pitch around it."""
     mesh = as_mesh(mesh)
-    if lattice is None:
+    if lattice is not None:
+        lattice_needed(lattice)
+    else:
         if pitch_mm is None:
-            raise TypeError("give a lattice, or a pitch_mm")
+            raise TypeError("give the size of a voxel, pitch_mm=0.2 say, or a lattice")
         low, high = mesh.bounds()
         lattice = Lattice.around(low, high, pitch_mm, layer_mm)
     grid = Grid(lattice)
@@ -274,7 +286,7 @@ def surface(grid: Grid, *, smooth_passes: int = 0, progress: Progress = None) ->
     made = ffi.new("sf_mesh **")
     options = _core.options("sf_surface_options", smooth_passes=smooth_passes)
     with running(progress) as task:
-        ok(lib.sf_grid_surface(grid._c, options, ffi.NULL, task, made))
+        ok(lib.sf_grid_surface(grid_of(grid)._c, options, ffi.NULL, task, made))
     return Mesh._of(made[0])
 
 

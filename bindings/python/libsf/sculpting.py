@@ -28,7 +28,7 @@ class Tip:
     @documented("sf_tip_create")
     def shaped(cls, shape: TipShape | str, radius_vx: float | Triple) -> Tip:
         """A sphere, box, cylinder or cone; half its extents in voxels."""
-        shape = TipShape[shape.upper()] if isinstance(shape, str) else shape
+        shape = _core.member(TipShape, shape, "shape")
         radius = _core.numbers(_core.for_each(radius_vx, 3), 3, "radius_vx")
         made = ffi.new("sf_tip **")
         ok(lib.sf_tip_create(int(shape), radius, ffi.NULL, made))
@@ -219,7 +219,7 @@ class Sculpt:
 
 
 def kind_of(kind: BrushKind | str) -> BrushKind:
-    return BrushKind[kind.replace("-", "_").upper()] if isinstance(kind, str) else kind
+    return _core.member(BrushKind, kind, "kind")
 
 
 @documented("sf_brush_kind_name")

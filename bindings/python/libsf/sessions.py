@@ -82,7 +82,7 @@ class Session:
     @documented("sf_session_add_tip")
     def add_tip(self, shape: TipShape | str, radius_vx: float | Sequence[float]) -> int:
         """A tip by formula; its number."""
-        shape = TipShape[shape.upper()] if isinstance(shape, str) else shape
+        shape = _core.member(TipShape, shape, "shape")
         radius = _core.numbers(_core.for_each(radius_vx, 3), 3, "radius_vx")
         number = ffi.new("uint32_t *")
         ok(lib.sf_session_add_tip(self._c, int(shape), radius, number))
@@ -115,7 +115,7 @@ class Session:
     @documented("sf_session_add_step")
     def step(self, step: SessionStep | str) -> None:
         """A step that is no stroke: "undo", "redo", "drop_ghosts"."""
-        ok(lib.sf_session_add_step(self._c, int(SessionStep[step.upper()] if isinstance(step, str) else step)))
+        ok(lib.sf_session_add_step(self._c, int(_core.member(SessionStep, step, "step"))))
 
     @documented("sf_session_add_shape")
     def replace(self, drawn: Grid, materials: Any = None) -> None:

@@ -11,7 +11,7 @@ from . import _core, _files, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import RuleKind
 from .support import BED_AUTO, Rule
-from .voxel import Grid, Lattice, _lattice
+from .voxel import Grid, Lattice, _lattice, grid_of
 
 
 class Stack(NamedTuple):
@@ -30,7 +30,7 @@ def save_stack(grid: Grid, folder: _files.Path, *, rule: Rule | None = None,
         info.bridge_span_mm, info.bridge_anchor_mm = rule.bridge_span_mm, rule.bridge_anchor_mm
     info.bed_layer = BED_AUTO if bed_layer is None else bed_layer
     with _files.folder_to_write(folder) as to, running(progress) as task:
-        ok(lib.sf_stack_write(grid._c, info, to, task, fault), fault)
+        ok(lib.sf_stack_write(grid_of(grid)._c, info, to, task, fault), fault)
 
 
 @documented("sf_stack_read")

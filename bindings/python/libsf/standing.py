@@ -77,7 +77,7 @@ def _stance_options(given: Any) -> dict[str, Any]:
     if not isinstance(given, dict) or set(given) - known:
         raise TypeError(f"stances: give dicts of {', '.join(sorted(known))}")
     kind = given.get("kind", StanceKind.STAND)
-    return {**given, "kind": int(StanceKind[kind.upper()] if isinstance(kind, str) else kind)}
+    return {**given, "kind": int(_core.member(StanceKind, kind, "kind"))}
 
 
 class Stand(_core.InTurn):

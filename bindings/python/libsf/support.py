@@ -16,8 +16,9 @@ from . import _core, _types
 from ._core import Progress, documented, ffi, lib, ok, running
 from ._types import Landing, PreserveMode, RuleKind
 from .contours import ContourFill, c_contours
+from .errors import ArgumentError
 from .layers import Element, Layer, c_runs
-from .voxel import Grid, Lattice, _lattice, grid_or_null
+from .voxel import Grid, Lattice, _lattice, grid_of, grid_or_null
 
 BED_AUTO = 0xFFFFFFFF
 
@@ -39,7 +40,9 @@ class Rule:
     def named(cls, name: str, angle_deg: float = 45.0, **more: float) -> Rule:
         """A rule by its name: "box3", "octagon", "disk", "slack"; its angle in degrees."""
         kind = ffi.new("sf_rule_kind *")
-        ok(lib.sf_rule_kind_from_name(_core.text(name, "name"), kind))
+        if lib.sf_rule_kind_from_name(_core.text(name, "name"), kind) != 0:
+            known = ", ".join(ffi.string(lib.sf_rule_kind_name(k)).decode() for k in RuleKind)
+            raise ArgumentError(f"rule: there is no {name!r}; there are {known}")
         return cls(RuleKind(kind[0]), math.radians(angle_deg), **more)
 
     @property
@@ -67,11 +70,22 @@ class Rule:
 AnyRule = Union[Rule, str]
 
 
+def bed_of(bed_layer: int | None, count: int) -> int:
+    """The bed's layer as the library has it; one of the layers, or the first that holds matter."""
+    if bed_layer is None:
+        return BED_AUTO
+    if bed_layer != BED_AUTO and not 0 <= bed_layer < count:
+        raise ArgumentError(f"bed_layer: {bed_layer}, and the grid's layers are 0 to {count - 1}")
+    return bed_layer
+
+
 class _rule:
     """A rule on a lattice as the library has it; its table must be kept while it is used."""
 
     def __init__(self, rule: AnyRule, lattice: Lattice) -> None:
         rule = Rule.named(rule) if isinstance(rule, str) else rule
+        if not isinstance(rule, Rule):
+            raise TypeError(f"rule: {rule!r} is none; give a name, or Rule.named(\"octagon\", 40) for 40 degrees")
         fault = _core.new_fault()
         with _lattice(lattice) as c:
             count = lib.sf_rule_table_count(c)
@@ -89,13 +103,13 @@ class _terms:
     def __init__(self, grid: Grid, rule: AnyRule, bed_layer: int | None, exempt: Grid | None = None,
                  keep: Grid | None = None, forbid: Grid | None = None,
                  act: Grid | None = None) -> None:
-        self._rule = _rule(rule, grid.lattice)
+        self._rule = _rule(rule, grid_of(grid).lattice)
         self._masks = (exempt, keep, forbid, act)
         self.c = ffi.new("sf_terms *", lib.sf_terms_default())
         self.c.rule = self._rule.c[0]
-        self.c.bed_layer = BED_AUTO if bed_layer is None else bed_layer
+        self.c.bed_layer = bed_of(bed_layer, grid.shape[0])
         for name, mask in zip(("exempt", "keep", "forbid", "act"), self._masks):
-            setattr(self.c, name, grid_or_null(mask))
+            setattr(self.c, name, grid_or_null(mask, name))
 
 
 # --- Checking -----------------------------------------------------------------------------------
@@ -134,8 +148,9 @@ def check(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None, f
     `bed_layer` is the layer that rests on the bed, None the first that holds matter; `findings` the
     most places that are told.
     """
-    made = _rule(rule, grid.lattice)
+    made = _rule(rule, grid_of(grid).lattice)
     nz, ny, nx = grid.shape
+    bed_of(bed_layer, nz)
     options, places = _check_options(made, nx, ny, 0, bed_layer, findings)
     report, count = ffi.new("sf_check_report *"), ffi.new("size_t *")
     with running(progress, threads) as task:
@@ -221,7 +236,7 @@ class Checker(_core.InTurn):
 def unsupported(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None,
                 exempt: Grid | None = None, progress: Progress = None) -> Grid:
     """The voxels that nothing carries, each on its own."""
-    found = Grid(grid.lattice)
+    found = Grid(grid_of(grid).lattice)
     terms = _terms(grid, rule, bed_layer, exempt)
     with running(progress) as task:
         ok(lib.sf_grid_unsupported(grid._c, terms.c, ffi.NULL, task, found._c, ffi.NULL))
@@ -256,7 +271,7 @@ def trim(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None,
          exempt: Grid | None = None, keep: Grid | None = None, act: Grid | None = None,
          progress: Progress = None) -> Trimmed:
     """The largest support-free part of a shape; with masks an error where what must stay cannot."""
-    result, report = grid.copy(), ffi.new("sf_trim_report *")
+    result, report = grid_of(grid).copy(), ffi.new("sf_trim_report *")
     terms = _terms(grid, rule, bed_layer, exempt, keep, None, act)
     with running(progress) as task:
         if exempt is None and keep is None and act is None:
@@ -288,7 +303,7 @@ def grow(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None,
          exempt: Grid | None = None, forbid: Grid | None = None, act: Grid | None = None,
          progress: Progress = None, threads: int | None = 1) -> Grown:
     """The shape with what it lacks to be support-free; nothing is removed."""
-    result, report = grid.copy(), ffi.new("sf_grow_report *")
+    result, report = grid_of(grid).copy(), ffi.new("sf_grow_report *")
     terms = _terms(grid, rule, bed_layer, exempt, None, forbid, act)
     with running(progress, threads) as task:
         ok(lib.sf_grid_grow(result._c, terms.c, ffi.NULL, task, ffi.NULL, report))
@@ -309,7 +324,7 @@ def repair(grid: Grid, rule: AnyRule = "box3", *, bed_layer: int | None = None,
 
     Costs are uint8 arrays in (layer, y, x) order: what a voxel costs to add, and to remove.
     """
-    result, report = grid.copy(), ffi.new("sf_repair_report *")
+    result, report = grid_of(grid).copy(), ffi.new("sf_repair_report *")
     terms = _terms(grid, rule, bed_layer, exempt, keep, forbid, act)
     added, removed = _costs(add_cost, grid, "add_cost"), _costs(remove_cost, grid, "remove_cost")
     options = _core.options("sf_repair_options", min_feature_vx=min_feature_vx, rounds=rounds)
@@ -329,7 +344,7 @@ def preserve(grid: Grid, brush: Grid, rule: AnyRule = "box3", *, bed_layer: int 
              accept_unsupported: bool | None = None, progress: Progress = None,
              threads: int | None = 1) -> Preserved:
     """The shape without a brush, but for what of the brush carries the rest."""
-    result, report = grid.copy(), ffi.new("sf_preserve_report *")
+    result, report = grid_of(grid).copy(), ffi.new("sf_preserve_report *")
     terms = _terms(grid, rule, bed_layer, exempt, keep, forbid, act)
     options = _core.options("sf_preserve_options", mode=mode, strut_width=strut_width,
                             accept_unsupported=accept_unsupported)

@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from . import _core, _types
 from ._core import documented, ffi, lib, ok
+from ._types import Status
 
 Bools = npt.NDArray[np.bool_]
 
@@ -47,7 +48,12 @@ class Lattice:
         for name in ("nx", "ny", "nz"):
             object.__setattr__(self, name, operator.index(getattr(self, name)))
         with _lattice(self) as c:
-            ok(lib.sf_lattice_validate(c))
+            status = lib.sf_lattice_validate(c)
+        if status != 0:
+            size = f"{self.nx} x {self.ny} x {self.nz} voxels of {self.pitch_mm} mm, layers of {self.layer_mm} mm"
+            more = ("make the voxels larger" if status == Status.ERR_OVERFLOW else
+                    "counts and sizes must be above 0, places finite")
+            ok(status, said=f"no lattice can have {size}; {more}")
 
     @property
     def shape(self) -> tuple[int, int, int]:
@@ -75,6 +81,9 @@ class Lattice:
                margin: int = 1) -> Lattice:
         """A lattice of cubes, or of layers of another height, around a box, with voxels to spare."""
         layer = pitch_mm if layer_mm is None else layer_mm
+        for name, step in (("pitch_mm", pitch_mm), ("layer_mm", layer)):
+            if not 0 < step < np.inf:
+                raise ValueError(f"{name}: {step}; give a size in mm, above 0")
         steps = (pitch_mm, pitch_mm, layer)
         counts = [int(np.ceil((h - l) / s - 1e-9)) + 2 * margin
                   for l, h, s in zip(low_mm, high_mm, steps)]
@@ -83,6 +92,15 @@ class Lattice:
         corner[2] = low_mm[2] - margin * layer
         return cls(counts[0], counts[1], counts[2], (pitch_mm, pitch_mm), layer,
                    (corner[0], corner[1], corner[2]))
+
+
+def lattice_needed(what: Any) -> None:
+    """Refuse what is no lattice, and say what was meant where that can be told."""
+    if isinstance(what, Lattice):
+        return
+    more = ("; name the size of a voxel: pitch_mm=..." if isinstance(what, (int, float)) else
+            "; Grid.from_array makes a grid of an array" if isinstance(what, np.ndarray) else "")
+    raise TypeError(f"lattice: a Lattice is needed, not {type(what).__name__}{more}")
 
 
 class _lattice:
@@ -129,6 +147,7 @@ class Grid:
 
     @documented("sf_grid_create")
     def __init__(self, lattice: Lattice) -> None:
+        lattice_needed(lattice)
         made = ffi.new("sf_grid **")
         with _lattice(lattice) as c:
             ok(lib.sf_grid_create(c, ffi.NULL, made))
@@ -303,5 +322,13 @@ def _bools(array: Any, name: str) -> Bools:
     return checked
 
 
-def grid_or_null(grid: Grid | None) -> Any:
-    return ffi.NULL if grid is None else grid._c
+def grid_of(what: Any, name: str = "grid") -> Grid:
+    """A grid that is one; else what makes one of what was handed in."""
+    if isinstance(what, Grid):
+        return what
+    raise TypeError(f"{name}: a Grid is needed, not {type(what).__name__}; libsf.voxelize(mesh, pitch_mm=...) "
+                    f"makes one of a mesh, libsf.Grid.from_array(array) one of an array of bools")
+
+
+def grid_or_null(grid: Grid | None, name: str = "grid") -> Any:
+    return ffi.NULL if grid is None else grid_of(grid, name)._c
