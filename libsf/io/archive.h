@@ -2,9 +2,10 @@
 // A zip archive that is read where it lies and can be written again byte for byte.
 //
 // One directory is parsed, once, and everything else follows it: where an entry's record begins and
-// ends, what is read of it, what is copied. libzip would serve for reading, but shows no record as
-// it lies; so this reads the plain archives that slicers make (stored and deflated entries, sizes
-// of 32 bits, in one piece), and refuses all others with a sentence. Names never become paths.
+// ends, what is read of it, what is copied. Libraries for archives show no record as it lies, and
+// read a byte in the name of two entries; so this reads what slicers make (stored and deflated
+// entries, in one piece), and refuses all else with a sentence. Archives with sizes of 64 bits are
+// read and said to be wide; they cannot be written again. Names never become paths.
 //
 // Source: PKWARE, "APPNOTE.TXT, .ZIP File Format Specification", version 6.3.
 
@@ -16,15 +17,18 @@
 #define SFI_ARCHIVE_LOCAL_SIZE 30
 #define SFI_ARCHIVE_CENTRAL_SIZE 46
 #define SFI_ARCHIVE_END_SIZE 22
+#define SFI_ARCHIVE_LOCATOR_SIZE 20
+#define SFI_ARCHIVE_WIDE_END_SIZE 56
 
 // One entry, as the directory has it.
 typedef struct sfi_archive_entry {
     size_t central; // where its record begins in the directory
     size_t name;    // where its name does; it is not ended by a 0
     uint16_t flags, method, name_size, central_size;
-    uint32_t crc, packed, size;
-    uint32_t begin, end; // its record in the file: up to the next one's, or to the directory
-    uint32_t data;       // where its bytes begin
+    uint32_t crc;
+    uint64_t packed, size;
+    uint64_t begin, end; // its record in the file: up to the next one's, or to the directory
+    uint64_t data;       // where its bytes begin
 } sfi_archive_entry;
 
 typedef struct sfi_archive {
@@ -36,6 +40,7 @@ typedef struct sfi_archive {
     sfi_archive_entry *entries; // in the directory's order
     uint32_t *order;            // entries in the order in which they lie
     size_t count;
+    int is_wide; // whether 32 bits do not hold its sizes, or are not used for them
 } sfi_archive;
 
 // Read the directory of an archive and look at every entry's head. Begin with zeros; release it
@@ -66,6 +71,11 @@ static inline uint16_t sfi_archive_u16(const unsigned char *at)
 static inline uint32_t sfi_archive_u32(const unsigned char *at)
 {
     return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+}
+
+static inline uint64_t sfi_archive_u64(const unsigned char *at)
+{
+    return sfi_archive_u32(at) | (uint64_t)sfi_archive_u32(at + 4) << 32;
 }
 
 static inline void sfi_archive_put16(unsigned char *at, uint16_t value)

@@ -10,22 +10,25 @@
 #include "base/memory.h"
 #include "base/status.h"
 
-#ifdef SF_HAVE_ZLIB
+#if defined(SF_HAVE_ZLIB) || defined(SF_HAVE_THREEMF)
 
+#include <stdio.h>
 #include <string.h>
 #include <zlib.h>
 
 #define BLOCK 65536u
+#define STEP_MAX (1u << 30) // what zlib counts in one go
 enum { STORED = 0, DEFLATED = 8, ENCRYPTED = 1 };
 
 struct sfi_archive_reader {
     sf_allocator allocator;
     const sfi_archive *archive;
     const sfi_archive_entry *entry;
-    uint32_t taken; // packed bytes that were read
-    uint32_t given; // bytes that came out
+    uint64_t taken; // packed bytes that were read
+    uint64_t given; // bytes that came out
     uint32_t crc;
     int is_stream; // whether zlib is under way
+    int end_seen;  // whether it has come to its end
     z_stream stream;
     unsigned char *block;
 };
@@ -68,7 +71,7 @@ uint32_t sfi_archive_crc(uint32_t crc, const void *data, size_t size)
 static sf_status read_packed(sfi_archive_reader *r, void *data, uint32_t size)
 {
     const sf_bytes *bytes = &r->archive->bytes;
-    SF_TRY(bytes->read_at(bytes->user, (uint64_t)r->entry->data + r->taken, data, size));
+    SF_TRY(bytes->read_at(bytes->user, r->entry->data + r->taken, data, size));
     r->taken += size;
     return SF_OK;
 }
@@ -76,7 +79,8 @@ static sf_status read_packed(sfi_archive_reader *r, void *data, uint32_t size)
 // Packed bytes wait in the block, where the stream's input points.
 static sf_status fill_block(sfi_archive_reader *r)
 {
-    uint32_t left = r->entry->packed - r->taken, step = left < BLOCK ? left : BLOCK;
+    uint64_t left = r->entry->packed - r->taken;
+    uint32_t step = left < BLOCK ? (uint32_t)left : BLOCK;
     if (r->stream.avail_in == 0 && step > 0) {
         SF_TRY(read_packed(r, r->block, step));
         r->stream.next_in = r->block;
@@ -103,6 +107,7 @@ static sf_status inflate_some(sfi_archive_reader *r, void *data, size_t capacity
         SF_TRY(fill_block(r));
         int done = inflate(&r->stream, Z_NO_FLUSH);
         if (done == Z_STREAM_END) {
+            r->end_seen = 1;
             break;
         }
         if (done == Z_MEM_ERROR) {
@@ -119,8 +124,9 @@ static sf_status inflate_some(sfi_archive_reader *r, void *data, size_t capacity
 static sf_status next(void *user, void *data, size_t capacity, size_t *size)
 {
     sfi_archive_reader *r = user;
-    uint32_t left = r->entry->size - r->given;
-    capacity = capacity < left ? capacity : left;
+    uint64_t left = r->entry->size - r->given;
+    capacity = capacity < STEP_MAX ? capacity : STEP_MAX;
+    capacity = capacity < left ? capacity : (size_t)left;
     *size = 0;
     if (capacity == 0) {
         return SF_OK;
@@ -128,7 +134,7 @@ static sf_status next(void *user, void *data, size_t capacity, size_t *size)
     SF_TRY(r->is_stream ? inflate_some(r, data, capacity, size)
                         : copy_some(r, data, capacity, size));
     r->crc = sfi_archive_crc(r->crc, data, *size);
-    r->given += (uint32_t)*size;
+    r->given += *size;
     return *size > 0 ? SF_OK : SF_ERR_FORMAT;
 }
 
@@ -150,8 +156,10 @@ static sf_status begin(sfi_archive_reader *r, sf_fault *fault)
         return about(r, SF_ERR_FORMAT, "it has two sizes; copy or export the file again", fault);
     }
     if (r->entry->method != STORED && r->entry->method != DEFLATED) {
-        return about(r, SF_ERR_UNSUPPORTED,
-                     "it is packed in a way that is not read; only deflate is", fault);
+        char sentence[96];
+        snprintf(sentence, sizeof sentence, "it is packed by method %u, and only deflate is read",
+                 (unsigned)r->entry->method);
+        return about(r, SF_ERR_UNSUPPORTED, sentence, fault);
     }
     r->block = sfi_alloc_array(&r->allocator, BLOCK, 1);
     if (r->block == NULL) {
@@ -192,20 +200,40 @@ sf_status sfi_archive_begin(const sfi_archive *archive, size_t entry, sfi_archiv
     return SF_OK;
 }
 
+// Whether what unfolds ends where the directory says; a reader that believes the stream would read
+// on.
+static sf_status check_end(sfi_archive_reader *r)
+{
+    unsigned char more;
+    r->stream.next_out = &more;
+    r->stream.avail_out = 1;
+    for (int done = Z_OK; done != Z_STREAM_END;) {
+        SF_TRY(fill_block(r));
+        done = inflate(&r->stream, Z_NO_FLUSH);
+        if ((done != Z_OK && done != Z_STREAM_END) || r->stream.avail_out == 0) {
+            return done == Z_MEM_ERROR ? SF_ERR_MEMORY : SF_ERR_FORMAT;
+        }
+    }
+    return SF_OK;
+}
+
 sf_status sfi_archive_finish(sfi_archive_reader *reader, uint64_t most, sf_fault *fault)
 {
     unsigned char rest[4096];
     if (reader->entry->size - reader->given > most) {
         return about(reader, SF_ERR_FORMAT, "it holds more than belongs there", fault);
     }
-    for (size_t got = 1; got > 0;) {
-        sf_status status = next(reader, rest, sizeof rest, &got);
-        if (status != SF_OK) {
-            return status == SF_ERR_FORMAT
-                       ? about(reader, status, "it is damaged; copy or export the file again",
-                               fault)
-                       : status;
-        }
+    sf_status status = SF_OK;
+    for (size_t got = 1; status == SF_OK && got > 0;) {
+        status = next(reader, rest, sizeof rest, &got);
+    }
+    if (status == SF_OK && reader->is_stream && reader->end_seen == 0) {
+        status = check_end(reader);
+    }
+    if (status != SF_OK) {
+        return status == SF_ERR_FORMAT
+                   ? about(reader, status, "it is damaged; copy or export the file again", fault)
+                   : status;
     }
     return reader->crc == reader->entry->crc
                ? SF_OK

@@ -2,9 +2,9 @@
 // The directory of a zip archive, checked against the file before anything is read by it.
 //
 // The record that ends the archive must end the file, and the directory must end where that record
-// begins; every entry must lie before the directory, whole, and none across another. So whatever a
-// hostile directory says, no byte is read twice in the name of two entries, and all of them
-// together are no larger than the file.
+// begins, or where the one for sizes of 64 bits does; every entry must lie before the directory,
+// whole, and none across another. So whatever a hostile directory says, no byte is read twice in
+// the name of two entries, and all of them together are no larger than the file.
 
 #include "io/archive.h"
 
@@ -16,6 +16,7 @@
 #define COMMENT_MAX 65535
 #define ENTRIES_MAX 65534 // 65535 stands for an archive with sizes of 64 bits
 enum { LOCAL = 0x04034b50, CENTRAL = 0x02014b50, END = 0x06054b50 };
+enum { LOCATOR = 0x07064b50, WIDE_END = 0x06064b50, WIDE_FIELD = 0x0001 };
 
 static sf_status damaged(sf_fault *fault, uint64_t offset, const char *what)
 {
@@ -40,8 +41,79 @@ static sf_status find_end(sfi_archive *a, unsigned char *tail, size_t size, size
         }
     }
     return sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
-                         "this is no zip archive, or its end is missing; copy it or export it "
-                         "again");
+                         "this is no zip archive, such as a 3MF file or an SL1 job, or its end is "
+                         "missing; copy it or export it again");
+}
+
+// A number of 32 bits or fewer, all of them set where only one of 64 bits can say it.
+static int is_same(uint64_t narrow, uint64_t most, uint64_t wide)
+{
+    return narrow == wide || narrow == most;
+}
+
+// The record that says in 64 bits what `end` says, behind the directory; a locator between them
+// says where. What the directory is said to be stays as it was when there is none.
+static sf_status read_wide_end(sfi_archive *a, const unsigned char *end, uint64_t end_at,
+                               sf_fault *fault)
+{
+    unsigned char locator[SFI_ARCHIVE_LOCATOR_SIZE], wide[SFI_ARCHIVE_WIDE_END_SIZE];
+    if (end_at < sizeof locator + sizeof wide) {
+        return SF_OK;
+    }
+    uint64_t locator_at = end_at - sizeof locator;
+    SF_TRY(a->bytes.read_at(a->bytes.user, locator_at, locator, sizeof locator));
+    uint64_t at = sfi_archive_u64(locator + 8);
+    if (sfi_archive_u32(locator) != LOCATOR) {
+        return SF_OK;
+    }
+    if (at > locator_at - sizeof wide) {
+        return damaged(fault, locator_at, "its directory does not lie where its end says");
+    }
+    SF_TRY(a->bytes.read_at(a->bytes.user, at, wide, sizeof wide));
+    uint64_t count = sfi_archive_u64(wide + 32), size = sfi_archive_u64(wide + 40);
+    uint64_t directory_at = sfi_archive_u64(wide + 48);
+    if (sfi_archive_u32(wide) != WIDE_END || sfi_archive_u64(wide + 4) != locator_at - at - 12 ||
+        sfi_archive_u32(locator + 4) != 0 || sfi_archive_u32(wide + 16) != 0 ||
+        sfi_archive_u32(wide + 20) != 0 || sfi_archive_u64(wide + 24) != count ||
+        !is_same(a->count, UINT16_MAX, count) || !is_same(a->directory_size, UINT32_MAX, size) ||
+        !is_same(a->directory_at, UINT32_MAX, directory_at) || size > at ||
+        directory_at != at - size || !is_same(sfi_archive_u16(end + 8), UINT16_MAX, count)) {
+        return damaged(fault, at, "its two ends say different things");
+    }
+    if (count > ENTRIES_MAX || size > SIZE_MAX - (a->bytes.size - at)) {
+        return sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, at,
+                             "the archive has more than %d entries, or too many for this machine",
+                             ENTRIES_MAX);
+    }
+    a->is_wide = 1;
+    a->count = (size_t)count;
+    a->directory_size = (size_t)size;
+    a->directory_at = directory_at;
+    a->end_size = (size_t)(a->bytes.size - at);
+    return SF_OK;
+}
+
+// What the end says of the directory, which must lie right in front of it.
+static sf_status parse_end(sfi_archive *a, const unsigned char *end, uint64_t end_at,
+                           sf_fault *fault)
+{
+    a->count = sfi_archive_u16(end + 10);
+    a->directory_size = sfi_archive_u32(end + 12);
+    a->directory_at = sfi_archive_u32(end + 16);
+    a->end_size = (size_t)(a->bytes.size - end_at);
+    a->is_wide = 0;
+    if (a->directory_at + a->directory_size != end_at) {
+        SF_TRY(read_wide_end(a, end, end_at, fault));
+    }
+    if (!a->is_wide && (sfi_archive_u16(end + 8) != a->count || a->count > ENTRIES_MAX ||
+                        a->directory_at + a->directory_size != end_at)) {
+        return damaged(fault, end_at, "its directory does not lie where its end says");
+    }
+    if (sfi_archive_u16(end + 4) != 0 || sfi_archive_u16(end + 6) != 0) {
+        return damaged(fault, end_at, "it is one of several pieces");
+    }
+    a->is_wide = a->is_wide || a->bytes.size > UINT32_MAX;
+    return SF_OK;
 }
 
 static sf_status read_end(sfi_archive *a, sf_fault *fault)
@@ -49,11 +121,9 @@ static sf_status read_end(sfi_archive *a, sf_fault *fault)
     size_t size = SFI_ARCHIVE_END_SIZE + COMMENT_MAX, at = 0;
     size = a->bytes.size < size ? (size_t)a->bytes.size : size;
     if (size < SFI_ARCHIVE_END_SIZE) {
-        return sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0, "the file is too short for an archive");
-    }
-    if (a->bytes.size > UINT32_MAX) {
-        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
-                             "archives of more than 4 GiB are not read");
+        return sfi_fault_set(
+            fault, SF_ERR_FORMAT, 0, 0,
+            "this is no zip archive, such as a 3MF file or an SL1 job: it is too short");
     }
     unsigned char *tail = sfi_alloc_array(&a->allocator, size, 1);
     if (tail == NULL) {
@@ -61,20 +131,7 @@ static sf_status read_end(sfi_archive *a, sf_fault *fault)
     }
     sf_status status = find_end(a, tail, size, &at, fault);
     if (status == SF_OK) {
-        const unsigned char *end = tail + at;
-        uint64_t end_at = a->bytes.size - size + at;
-        a->count = sfi_archive_u16(end + 10);
-        a->directory_size = sfi_archive_u32(end + 12);
-        a->directory_at = sfi_archive_u32(end + 16);
-        a->end_size = size - at;
-        if (a->count > ENTRIES_MAX || a->directory_at == UINT32_MAX) {
-            status = sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, end_at,
-                                   "archives with sizes of 64 bits are not read");
-        } else if (sfi_archive_u16(end + 4) != 0 || sfi_archive_u16(end + 6) != 0 ||
-                   sfi_archive_u16(end + 8) != a->count ||
-                   a->directory_at + a->directory_size != end_at) {
-            status = damaged(fault, end_at, "its directory does not lie where its end says");
-        }
+        status = parse_end(a, tail + at, a->bytes.size - size + at, fault);
     }
     sfi_free_array(&a->allocator, tail, size, 1);
     return status;
@@ -83,6 +140,41 @@ static sf_status read_end(sfi_archive *a, sf_fault *fault)
 // ---------------------------------------------------------------------------------------------
 // The directory
 // ---------------------------------------------------------------------------------------------
+
+// Sizes and place in 64 bits, for those that 32 do not say: a field behind the name has them, in
+// this order.
+static int read_wide_field(sfi_archive *a, const unsigned char *record, sfi_archive_entry *e)
+{
+    uint64_t *const numbers[3] = {&e->size, &e->packed, &e->begin};
+    const unsigned char *at = record + SFI_ARCHIVE_CENTRAL_SIZE + e->name_size;
+    size_t left = sfi_archive_u16(record + 30), need = 0;
+    for (int i = 0; i < 3; i++) {
+        need += *numbers[i] == UINT32_MAX ? 8 : 0;
+    }
+    if (need == 0) {
+        return 1;
+    }
+    a->is_wide = 1;
+    while (left >= 4) {
+        size_t size = sfi_archive_u16(at + 2);
+        if (size > left - 4) {
+            return 0;
+        }
+        if (sfi_archive_u16(at) == WIDE_FIELD) {
+            const unsigned char *next = at + 4;
+            for (int i = 0; size >= need && i < 3; i++) {
+                if (*numbers[i] == UINT32_MAX) {
+                    *numbers[i] = sfi_archive_u64(next);
+                    next += 8;
+                }
+            }
+            return size >= need;
+        }
+        at += 4 + size;
+        left -= 4 + size;
+    }
+    return 0;
+}
 
 static sf_status parse_entry(sfi_archive *a, size_t i, size_t *at, sf_fault *fault)
 {
@@ -107,9 +199,8 @@ static sf_status parse_entry(sfi_archive *a, size_t i, size_t *at, sf_fault *fau
                               .packed = sfi_archive_u32(record + 20),
                               .size = sfi_archive_u32(record + 24),
                               .begin = sfi_archive_u32(record + 42)};
-    if (made.packed == UINT32_MAX || made.size == UINT32_MAX || made.begin == UINT32_MAX) {
-        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, a->directory_at + *at,
-                             "archives with sizes of 64 bits are not read");
+    if (!read_wide_field(a, record, &made)) {
+        return damaged(fault, a->directory_at + *at, "an entry has no size");
     }
     *e = made;
     *at += size;
@@ -145,7 +236,7 @@ static void sort(const sfi_archive *a)
 }
 
 // Look at the head in front of an entry's bytes: it must be there and say the same name.
-static sf_status check_local(sfi_archive *a, sfi_archive_entry *e, uint32_t end, sf_fault *fault)
+static sf_status check_local(sfi_archive *a, sfi_archive_entry *e, uint64_t end, sf_fault *fault)
 {
     unsigned char head[SFI_ARCHIVE_LOCAL_SIZE], name[256];
     const unsigned char *expected = a->directory + e->name;
@@ -153,7 +244,7 @@ static sf_status check_local(sfi_archive *a, sfi_archive_entry *e, uint32_t end,
         return damaged(fault, e->begin, "two entries overlap");
     }
     SF_TRY(a->bytes.read_at(a->bytes.user, e->begin, head, sizeof head));
-    uint32_t room = end - e->begin - SFI_ARCHIVE_LOCAL_SIZE;
+    uint64_t room = end - e->begin - SFI_ARCHIVE_LOCAL_SIZE;
     uint32_t before = (uint32_t)sfi_archive_u16(head + 26) + sfi_archive_u16(head + 28);
     if (sfi_archive_u32(head) != LOCAL || sfi_archive_u16(head + 26) != e->name_size ||
         before > room || sfi_archive_u16(head + 8) != e->method) {
@@ -187,7 +278,7 @@ static sf_status check_entries(sfi_archive *a, sf_fault *fault)
         if (e->begin >= end) {
             return damaged(fault, e->begin, "two entries overlap");
         }
-        SF_TRY(check_local(a, e, (uint32_t)end, fault));
+        SF_TRY(check_local(a, e, end, fault));
         end = e->begin;
     }
     return SF_OK;

@@ -163,7 +163,7 @@ static sf_status write_anew(copying *c, const sfi_archive_entry *e)
     sfi_archive_put16(central + 8, (uint16_t)(e->flags & ~0x0008u));
     put_sizes(central + 10, central + 16, sum, size);
     SF_TRY(write_bytes(&c->out, head, sizeof head));
-    SF_TRY(copy_range(c, (uint64_t)e->begin + SFI_ARCHIVE_LOCAL_SIZE, e->data));
+    SF_TRY(copy_range(c, e->begin + SFI_ARCHIVE_LOCAL_SIZE, e->data));
     return write_bytes(&c->out, c->blob.bytes, size);
 }
 

@@ -323,6 +323,11 @@ sf_status sfi_sl1_open(sf_job *job, sf_fault *fault)
 {
     config own = {NULL, 0}, slicer = {NULL, 0};
     SF_TRY(sfi_archive_open(&job->archive, job->bytes, &job->allocator, fault));
+    if (job->archive.is_wide) {
+        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
+                             "jobs of more than 4 GiB, or with sizes of 64 bits, are not read; "
+                             "export it again as a plain archive");
+    }
     sf_status status = open_job(job, &own, &slicer, fault);
     release(job, &own);
     release(job, &slicer);

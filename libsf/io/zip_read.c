@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A zip archive in memory, by libzip.
+// A zip archive in memory: the archive of archive.h over bytes that were read from a source.
 //
-// libzip takes its own memory from the C library. It is given bytes and never a path, so that it
-// opens nothing. Only entries that are stored or deflated are read: other methods bring other
-// decoders with them, and encryption a key that nobody has.
+// That reader has looked at every record before an entry is asked for, and refuses archives whose
+// entries overlap. Here are the names of packages, in which capitals do not count, and bounds on
+// what unfolds. A part is looked for by a sum over its name, so that many long names that begin in
+// the same way cost no more than others.
 
 #include "io/zip_read.h"
 
 #include "base/memory.h"
 #include "base/status.h"
-#include "io/path.h"
+#include "io/archive.h"
 
 #ifdef SF_HAVE_THREEMF
 
 #include <string.h>
-#include <zip.h>
 
 enum { BLOCK = 65536 };
 static const uint64_t FREE_BYTES = 1048576; // what any entry may unfold to
@@ -23,15 +23,17 @@ struct sfi_zip_state {
     sf_allocator allocator;
     unsigned char *bytes;
     size_t size, capacity;
-    zip_t *archive;
-    uint64_t left; // bytes that may still unfold
+    sfi_archive archive;
+    uint64_t *sums; // over the entries' names
+    uint64_t left;  // bytes that may still unfold
     uint64_t bytes_max;
 };
 
 struct sfi_zip_entry_state {
     sfi_zip *zip;
-    zip_file_t *file;
-    char *name;
+    sfi_archive_reader *reader;
+    sf_source source;
+    size_t entry;  // its number
     uint64_t left; // bytes that it may still unfold to
     int at_end;
 };
@@ -40,9 +42,8 @@ void sfi_zip_close(sfi_zip *zip)
 {
     if (zip != NULL) {
         sf_allocator allocator = zip->allocator;
-        if (zip->archive != NULL) {
-            zip_discard(zip->archive);
-        }
+        sfi_free_array(&allocator, zip->sums, zip->archive.count, sizeof *zip->sums);
+        sfi_archive_release(&zip->archive);
         sfi_free_array(&allocator, zip->bytes, zip->capacity, 1);
         sfi_free_array(&allocator, zip, 1, sizeof *zip);
     }
@@ -70,26 +71,46 @@ static sf_status read_bytes(sfi_zip *zip, sf_source source, sf_fault *fault)
     return SF_OK;
 }
 
+static int lower(int c)
+{
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
+}
+
+// FNV-1a, of letters without capitals: Fowler, Noll and Vo, 1991.
+static uint64_t sum_of(const char *name, size_t size)
+{
+    uint64_t sum = UINT64_C(0xcbf29ce484222325);
+    for (size_t i = 0; i < size; i++) {
+        sum = (sum ^ (unsigned char)lower(name[i])) * UINT64_C(0x100000001b3);
+    }
+    return sum;
+}
+
+// What stands in memory, as the archive asks for it; it asks for nothing else.
+static sf_status read_at(void *user, uint64_t offset, void *data, size_t size)
+{
+    const sfi_zip *zip = user;
+    memcpy(data, zip->bytes + offset, size);
+    return SF_OK;
+}
+
 static sf_status open_archive(sfi_zip *zip, sf_fault *fault)
 {
-    zip_error_t why;
-    zip_error_init(&why);
-    zip_source_t *from = zip_source_buffer_create(zip->bytes, zip->size, 0, &why);
-    if (from != NULL) {
-        zip->archive = zip_open_from_source(from, ZIP_RDONLY, &why);
-        if (zip->archive == NULL) {
-            zip_source_free(from);
-        }
-    }
-    int is_short = zip_error_code_zip(&why) == ZIP_ER_MEMORY;
-    zip_error_fini(&why);
-    if (zip->archive != NULL && zip->size > 0) { // libzip takes nothing for an empty archive
+    sf_bytes bytes = {read_at, zip->size, zip};
+    SF_TRY(sfi_archive_open(&zip->archive, bytes, &zip->allocator, fault));
+    size_t count = zip->archive.count;
+    if (count == 0) {
         return SF_OK;
     }
-    return is_short ? SF_ERR_MEMORY
-                    : sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
-                                    "this is no 3MF file or other zip archive, or its end is "
-                                    "missing; copy or export it again");
+    zip->sums = sfi_alloc_array(&zip->allocator, count, sizeof *zip->sums);
+    if (zip->sums == NULL) {
+        return SF_ERR_MEMORY;
+    }
+    for (size_t i = 0; i < count; i++) {
+        zip->sums[i] =
+            sum_of(sfi_archive_name(&zip->archive, i), zip->archive.entries[i].name_size);
+    }
+    return SF_OK;
 }
 
 sf_status sfi_zip_open(sf_source source, uint64_t bytes_max, const sf_allocator *allocator,
@@ -101,7 +122,7 @@ sf_status sfi_zip_open(sf_source source, uint64_t bytes_max, const sf_allocator 
         return SF_ERR_MEMORY;
     }
     memset(made, 0, sizeof *made);
-    made->allocator = from;
+    made->allocator = made->archive.allocator = from;
     made->left = made->bytes_max = bytes_max;
     sf_status status = read_bytes(made, source, fault);
     if (status == SF_OK) {
@@ -119,29 +140,24 @@ sf_status sfi_zip_open(sf_source source, uint64_t bytes_max, const sf_allocator 
 // Entries
 // ---------------------------------------------------------------------------------------------
 
-static int lower(int c)
+static int is_alike(const char *a, const char *b, size_t size)
 {
-    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
-}
-
-static int is_alike(const char *a, const char *b)
-{
-    while (*a != '\0' && lower(*a) == lower(*b)) {
-        a++;
-        b++;
+    size_t i = 0;
+    while (i < size && lower(a[i]) == lower(b[i])) {
+        i++;
     }
-    return lower(*a) == lower(*b);
+    return i == size;
 }
 
 // Names are compared as those of packages are: capitals do not tell them apart.
-static sf_status find(sfi_zip *zip, const char *name, zip_uint64_t *index, sf_fault *fault)
+static sf_status find(const sfi_zip *zip, const char *name, size_t *entry, sf_fault *fault)
 {
-    zip_int64_t count = zip_get_num_entries(zip->archive, 0);
-    unsigned found = 0;
-    for (zip_int64_t i = 0; i < count; i++) {
-        const char *other = zip_get_name(zip->archive, (zip_uint64_t)i, ZIP_FL_ENC_RAW);
-        if (other != NULL && is_alike(name, other)) {
-            *index = (zip_uint64_t)i;
+    size_t found = 0, size = strlen(name);
+    uint64_t sum = sum_of(name, size);
+    for (size_t i = 0; i < zip->archive.count; i++) {
+        if (zip->sums[i] == sum && zip->archive.entries[i].name_size == size &&
+            is_alike(name, sfi_archive_name(&zip->archive, i), size)) {
+            *entry = i;
             found++;
         }
     }
@@ -155,105 +171,79 @@ static sf_status find(sfi_zip *zip, const char *name, zip_uint64_t *index, sf_fa
                          name);
 }
 
-static sf_status check(const sfi_zip *zip, const zip_stat_t *stat, const char *name,
-                       sf_fault *fault)
-{
-    const zip_uint64_t need =
-        ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
-    if ((stat->valid & need) != need || stat->comp_size > zip->size) {
-        return sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
-                             "%.100s: the archive's directory is damaged", name);
-    }
-    if (stat->encryption_method != ZIP_EM_NONE) {
-        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
-                             "%.100s is encrypted; save the file without a password", name);
-    }
-    if (stat->comp_method != ZIP_CM_STORE && stat->comp_method != ZIP_CM_DEFLATE) {
-        return sfi_fault_set(fault, SF_ERR_UNSUPPORTED, 0, 0,
-                             "%.100s is compressed by method %u, and only deflate is read", name,
-                             (unsigned)stat->comp_method);
-    }
-    return SF_OK;
-}
-
 sf_status sfi_zip_begin(sfi_zip *zip, const char *name, uint64_t ratio, sfi_zip_entry **entry,
                         sf_fault *fault)
 {
-    zip_uint64_t index = 0;
-    zip_stat_t stat;
-    SF_TRY(find(zip, name, &index, fault));
-    if (zip_stat_index(zip->archive, index, 0, &stat) != 0) {
-        return sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0, "%.100s cannot be found", name);
-    }
-    SF_TRY(check(zip, &stat, name, fault));
+    size_t number = 0;
+    SF_TRY(find(zip, name, &number, fault));
     sfi_zip_entry *made = sfi_alloc_array(&zip->allocator, 1, sizeof *made);
     if (made == NULL) {
         return SF_ERR_MEMORY;
     }
     memset(made, 0, sizeof *made);
     made->zip = zip;
-    made->left = stat.comp_size <= (UINT64_MAX - FREE_BYTES) / ratio
-                     ? stat.comp_size * ratio + FREE_BYTES
-                     : UINT64_MAX;
-    made->name = sfi_path_join(&zip->allocator, name, 0, "");
-    made->file = made->name != NULL ? zip_fopen_index(zip->archive, index, 0) : NULL;
-    if (made->file == NULL) {
-        int is_short =
-            made->name == NULL || zip_error_code_zip(zip_get_error(zip->archive)) == ZIP_ER_MEMORY;
+    made->entry = number;
+    uint64_t packed = zip->archive.entries[number].packed; // no more than the file has
+    made->left =
+        packed <= (UINT64_MAX - FREE_BYTES) / ratio ? packed * ratio + FREE_BYTES : UINT64_MAX;
+    sf_status status =
+        sfi_archive_begin(&zip->archive, number, &made->reader, &made->source, fault);
+    if (status != SF_OK) {
         sfi_zip_end(made);
-        return is_short ? SF_ERR_MEMORY
-                        : sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
-                                        "%.100s is damaged; copy or export the file again", name);
+        return status;
     }
     *entry = made;
     return SF_OK;
 }
 
+static sf_status refuse(const sfi_zip_entry *entry, sf_status status, const char *sentence,
+                        sf_fault *fault)
+{
+    const sfi_archive *a = &entry->zip->archive;
+    int size = a->entries[entry->entry].name_size < 100 ? a->entries[entry->entry].name_size : 100;
+    return sfi_fault_set(fault, status, 0, 0, "%.*s%s", size, sfi_archive_name(a, entry->entry),
+                         sentence);
+}
+
 static sf_status too_large(const sfi_zip_entry *entry, sf_fault *fault)
 {
     return entry->left < entry->zip->left
-               ? sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
-                               "%.100s unfolds to more than a model does; this looks like an "
-                               "attack",
-                               entry->name)
+               ? refuse(entry, SF_ERR_OVERFLOW,
+                        " unfolds to more than a model does; this looks like an attack", fault)
                : sfi_fault_set(fault, SF_ERR_OVERFLOW, 0, 0,
-                               "%.100s: the file unfolds to more than %llu bytes; raise bytes_max",
-                               entry->name, (unsigned long long)entry->zip->bytes_max);
+                               "the file unfolds to more than %llu bytes; raise bytes_max",
+                               (unsigned long long)entry->zip->bytes_max);
 }
 
 sf_status sfi_zip_next(sfi_zip_entry *entry, void *data, size_t capacity, size_t *size,
                        sf_fault *fault)
 {
+    size_t got = 0;
     *size = 0;
     if (entry->at_end) {
         return SF_OK;
     }
-    zip_int64_t got = zip_fread(entry->file, data, capacity);
-    if (got < 0) {
-        int is_short = zip_error_code_zip(zip_file_get_error(entry->file)) == ZIP_ER_MEMORY;
-        return is_short
-                   ? SF_ERR_MEMORY
-                   : sfi_fault_set(fault, SF_ERR_FORMAT, 0, 0,
-                                   "%.100s is damaged; copy or export the file again", entry->name);
+    sf_status status = entry->source.read(entry->source.user, data, capacity, &got);
+    if (status != SF_OK) {
+        return status == SF_ERR_FORMAT
+                   ? refuse(entry, status, " is damaged; copy or export the file again", fault)
+                   : status;
     }
-    entry->at_end = got == 0;
-    if ((uint64_t)got > entry->left || (uint64_t)got > entry->zip->left) {
+    if (got > entry->left || got > entry->zip->left) {
         return too_large(entry, fault);
     }
-    entry->left -= (uint64_t)got;
-    entry->zip->left -= (uint64_t)got;
-    *size = (size_t)got;
-    return SF_OK;
+    entry->at_end = got == 0;
+    entry->left -= got;
+    entry->zip->left -= got;
+    *size = got;
+    return entry->at_end ? sfi_archive_finish(entry->reader, 0, fault) : SF_OK;
 }
 
 void sfi_zip_end(sfi_zip_entry *entry)
 {
     if (entry != NULL) {
         sf_allocator allocator = entry->zip->allocator;
-        if (entry->file != NULL) {
-            zip_fclose(entry->file);
-        }
-        sfi_path_free(&allocator, entry->name);
+        sfi_archive_end(entry->reader);
         sfi_free_array(&allocator, entry, 1, sizeof *entry);
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A zip archive in memory, read one entry at a time within bounds.
 //
-// The archive is read whole from its source, since its directory stands at its end, and handed to
-// libzip. No name of an entry ever becomes a path: entries are looked up, never written. What
-// unfolds is counted against the caller's bounds as it comes, whatever the directory claims.
+// The archive is read whole from its source, since its directory stands at its end. No name of an
+// entry ever becomes a path: entries are looked up, never written. What unfolds is counted against
+// the caller's bounds as it comes, whatever the directory claims; entries that overlap are refused.
 
 #ifndef SF_IO_ZIP_READ_H
 #define SF_IO_ZIP_READ_H

@@ -25,7 +25,6 @@ LIBRARIES = {
     "jansson": ("MIT", "https://github.com/akheron/jansson", "JSON"),
     "lib3MF": ("BSD-2-Clause", "https://3mf.io", "a test's reader of 3MF"),
     "libpng": ("libpng-2.0", "http://www.libpng.org", "PNG"),
-    "libzip": ("BSD-3-Clause", "https://libzip.org", "3MF and SL1"),
     "muparser": ("BSD-2-Clause", "https://github.com/beltoforion/muparser", "formulas in recipes"),
     "osdCPU": ("Apache-2.0", "https://graphics.pixar.com/opensubdiv", "limit surfaces to compare with"),
     "spng": ("BSD-2-Clause", "https://libspng.org", "PNG"),

@@ -31,15 +31,15 @@ skip() {
 
 # The flags of the optional libraries that are here, by the definitions that the sources ask for.
 optional_flags() {
-    for pair in spng:SPNG jansson:JANSSON hdf5-serial:HDF5 zlib:ZLIB libzip,expat,zlib:THREEMF; do
+    for pair in spng:SPNG jansson:JANSSON hdf5-serial:HDF5 zlib:ZLIB expat,zlib:THREEMF; do
         names=$(printf '%s' "${pair%:*}" | tr , ' ')
         # shellcheck disable=SC2086
         pkg-config --exists $names 2>/dev/null || continue
         # shellcheck disable=SC2086
         printf '%s ' "-DSF_HAVE_${pair#*:}" "$(pkg-config --cflags $names)"
     done
-    if pkg-config --exists libzip expat zlib 2>/dev/null; then
-        printf '%s ' -DSF_HAVE_THREEMF "$(pkg-config --cflags libzip expat zlib)"
+    if pkg-config --exists expat zlib 2>/dev/null; then
+        printf '%s ' -DSF_HAVE_THREEMF "$(pkg-config --cflags expat zlib)"
     fi
 }
 

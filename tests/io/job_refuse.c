@@ -134,6 +134,39 @@ static void archives_that_lie(void)
     sf_grid_destroy(grid);
 }
 
+// A job with an end of 64-bit sizes: its archive is read, but cannot be written again.
+static void jobs_that_are_wide(void)
+{
+    unsigned char wide[76] = {'P', 'K', 6, 6, 44};
+    job_bytes b = {NULL, 0, 0, {NULL, 0, 0}}, made = b;
+    sf_grid *grid = job_grid(9, 4, 2, NULL);
+    sf_fault fault;
+    sfi_archive a = {.count = 0};
+    if (!sf_job_has_sl1()) {
+        sf_grid_destroy(grid);
+        SKIP("this build has no SL1");
+    }
+    job_make_sl1(&b, grid);
+    size_t end = b.size - 22;
+    memcpy(wide + 24, b.data + end + 8, 2);
+    memcpy(wide + 32, b.data + end + 8, 2);
+    memcpy(wide + 40, b.data + end + 12, 4);
+    memcpy(wide + 48, b.data + end + 16, 4);
+    memcpy(wide + 56, "PK\6\7", 4);
+    sfi_archive_put32(wide + 64, (uint32_t)end);
+    job_put(&made, b.data, end);
+    job_put(&made, wide, sizeof wide);
+    job_put(&made, b.data + end, 22);
+    CHECK_EQ(sfi_archive_open(&a, job_of(&made), NULL, NULL), SF_OK);
+    CHECK(a.is_wide && a.count > 2 && a.end_size == 98);
+    sfi_archive_release(&a);
+    CHECK_EQ(job_try(&made, NULL, -1, &fault), SF_ERR_UNSUPPORTED);
+    CHECK(strstr(fault.message, "64 bits") != NULL);
+    free(made.data);
+    free(b.data);
+    sf_grid_destroy(grid);
+}
+
 // One change of a directory at a time, each with the words that it must be refused by.
 static void set_text(job_bytes *b, const char *what, const char *to)
 {
@@ -275,6 +308,7 @@ int main(void)
     TEST(photons_that_lie);
     TEST(cousins_are_told);
     TEST(archives_that_lie);
+    TEST(jobs_that_are_wide);
     TEST(names_that_lie);
     TEST(options_are_held);
     TEST(writing_fails_cleanly);

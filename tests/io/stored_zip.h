@@ -105,6 +105,56 @@ static inline void archive_end(archive *a)
     a->size = (size_t)(b - a->bytes);
 }
 
+// The same, with the end of an archive of 64-bit sizes: everything said twice, once in each width;
+// or only in the wide one, where `is_only_wide`. Beginnings of entries become wide too.
+static inline void archive_end_wide(archive *a, int is_only_wide)
+{
+    size_t offset = a->size, record, count = is_only_wide ? 0xffff : a->count;
+    memcpy(a->bytes + a->size, a->directory, a->directory_size);
+    record = a->size + a->directory_size;
+    unsigned char *b = a->bytes + record;
+    b += put_number(b, 0x06064b50u, 4);
+    b += put_number(b, 44, 8);
+    b += put_number(b, 45u | 45u << 16, 4);
+    b += put_number(b, 0, 8);
+    b += put_number(b, a->count, 8);
+    b += put_number(b, a->count, 8);
+    b += put_number(b, a->directory_size, 8);
+    b += put_number(b, offset, 8);
+    b += put_number(b, 0x07064b50u, 4);
+    b += put_number(b, 0, 4);
+    b += put_number(b, record, 8);
+    b += put_number(b, 1, 4);
+    b += put_number(b, 0x06054b50u, 4);
+    b += put_number(b, 0, 4);
+    b += put_number(b, count, 2);
+    b += put_number(b, count, 2);
+    b += put_number(b, is_only_wide ? UINT32_MAX : a->directory_size, 4);
+    b += put_number(b, is_only_wide ? UINT32_MAX : offset, 4);
+    b += put_number(b, 0, 2);
+    a->size = (size_t)(b - a->bytes);
+}
+
+// Let the last entry's directory record say its sizes and place by 64 bits.
+static inline void archive_widen(archive *a, uint64_t size, uint64_t packed, uint64_t place)
+{
+    size_t name = 0; // the record begins 46 bytes before its name, which ends the directory
+    unsigned char *end = a->directory + a->directory_size, *record = end - 46;
+    while (memcmp(record, "PK\1\2", 4) != 0 || name != (size_t)(record[28] | record[29] << 8)) {
+        record--;
+        name++;
+    }
+    memset(record + 20, 0xff, 8);
+    memset(record + 42, 0xff, 4);
+    put_number(record + 30, 28, 2);
+    end += put_number(end, 1, 2);
+    end += put_number(end, 24, 2);
+    end += put_number(end, size, 8);
+    end += put_number(end, packed, 8);
+    end += put_number(end, place, 8);
+    a->directory_size = (size_t)(end - a->directory);
+}
+
 #define RELS(target)                                                                               \
     "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"       \
     "<Relationship Target=\"" target "\" Id=\"a\" "                                                \

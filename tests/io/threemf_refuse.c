@@ -216,7 +216,7 @@ static void refuses_bad_archives(void)
 {
     static archive a;
     memset(&a, 0, sizeof a);
-    CHECK(refused(&a, NULL, SF_ERR_FORMAT, "no 3MF"));
+    CHECK(refused(&a, NULL, SF_ERR_FORMAT, "no zip archive"));
     archive_end(&a);
     CHECK(refused(&a, NULL, SF_ERR_FORMAT, ".rels"));
     memset(&a, 0, sizeof a);

@@ -16,7 +16,7 @@ ALSO_FOUND = [n for n in sys.argv[5].split(",") if n]
 FILES = sys.argv[6:]
 PLATFORM = re.compile(r"lib(c|m|pthread|dl|rt|gcc_s|stdc\+\+)\.so|ld-|libsf|linux-vdso")
 # By what the loader calls it, where that is not the name that meson knows.
-ALSO = {"hdf5_serial": "hdf5-serial", "hdf5": "hdf5", "glfw": "glfw3", "png16": "libpng", "zip": "libzip",
+ALSO = {"hdf5_serial": "hdf5-serial", "hdf5": "hdf5", "glfw": "glfw3", "png16": "libpng",
         "embree3": "embree", "embree4": "embree", "z": "zlib", "tetgen": "tet", "tet1.5": "tet"}
 count = bad = 0
 

@@ -12,7 +12,7 @@
 // looked at, no path leads out of the archive, XML has no entities of its own, and what a file may
 // unfold to is bounded.
 //
-// These functions are in libsf-io. A build without libzip, expat and zlib has them too, and they
+// These functions are in libsf-io. A build without expat and zlib has them too, and they
 // return SF_ERR_UNSUPPORTED.
 
 #ifndef SF_THREEMF_H
@@ -78,7 +78,7 @@ typedef struct sf_threemf sf_threemf;
 /**
  * Whether this build reads and writes 3MF.
  *
- * @return 1 where it has libzip, expat and zlib, else 0.
+ * @return 1 where it has expat and zlib, else 0.
  * @cost constant.   @threads any.
  * @since 0.1
  */
@@ -100,8 +100,8 @@ SF_API int sf_threemf_is_served(void);
  * @param source     the file, read to its end
  * @param limits     NULL for sf_read_limits_default(); triangles and vertices of all objects
  *                   together
- * @param allocator  for the document and for reading; NULL for the C library's, which libzip and
- *                   expat take in any case
+ * @param allocator  for the document and for reading; NULL for the C library's, which expat
+ *                   takes in any case
  * @param document   receives the document, to be destroyed by the caller; untouched on failure
  * @param fault      NULL, or filled on failure: what is wrong, in which part and line of it
  * @return SF_OK; SF_ERR_FORMAT: no 3MF file, or a damaged one; SF_ERR_UNSUPPORTED: the file
