@@ -10502,7 +10502,7 @@ extern "C" {
 
     /// Whether this build reads and writes 3MF.
     ///
-    /// - returns: 1 where it has libzip, expat and zlib, else 0.
+    /// - returns: 1 where it has expat and zlib, else 0.
     /// - cost: constant.
     /// - threads: any.
     /// - since: 0.1
@@ -10523,8 +10523,8 @@ extern "C" {
     /// - `source`: the file, read to its end
     /// - `limits`: NULL for sf_read_limits_default(); triangles and vertices of all objects
     ///   together
-    /// - `allocator`: for the document and for reading; NULL for the C library's, which libzip and
-    ///   expat take in any case
+    /// - `allocator`: for the document and for reading; NULL for the C library's, which expat takes
+    ///   in any case
     /// - `document`: receives the document, to be destroyed by the caller; untouched on failure
     /// - `fault`: NULL, or filled on failure: what is wrong, in which part and line of it
     /// - returns: SF_OK; SF_ERR_FORMAT: no 3MF file, or a damaged one; SF_ERR_UNSUPPORTED: the file
