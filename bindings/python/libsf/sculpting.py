@@ -73,7 +73,7 @@ class Tip:
         return cls.of(voxelize(mesh, Lattice.around(low, high, lattice.pitch_mm[0], layer)))
 
 
-class Sculpt:
+class Sculpt(_core.InTurn):
     """A model that is support-free after every stroke.
 
         model = libsf.Sculpt(libsf.Lattice(128, 128, 128, 0.25, 0.25))
@@ -99,10 +99,12 @@ class Sculpt:
     def lattice(self) -> Lattice:
         return self._lattice
 
+    @_core.in_turn
     def printable(self) -> Grid:
         """What prints without supports; a copy."""
         return Grid._borrowed(lib.sf_sculpt_printable(self._c), self)
 
+    @_core.in_turn
     def drawn(self) -> Grid:
         """What was drawn, ghosts included; a copy."""
         return Grid._borrowed(lib.sf_sculpt_drawn(self._c), self)
@@ -113,6 +115,7 @@ class Sculpt:
         return _core.memory(lib.sf_sculpt_materials(self._c), "uint8", self._lattice.shape, self._c)
 
     @documented("sf_sculpt_stroke")
+    @_core.in_turn
     def stroke(self, kind: BrushKind | str, tip: Tip, dabs: Any, *, material: int = 1,
                passes: int = 1, mirror_x: bool = False, mirror_y: bool = False) -> _types.SculptChange:
         """A stroke: a brush put down at voxels (x, y, z), all at once."""
@@ -120,6 +123,10 @@ class Sculpt:
         places, change = c_dabs(dabs), ffi.new("sf_sculpt_change *")
         ok(lib.sf_sculpt_stroke(self._c, brush, places.c, places.count, change))
         return _core.value(change)  # type: ignore[no-any-return]
+
+    @_core.in_turn
+    def _do(self, call: Any, *given: Any) -> None:
+        ok(call(self._c, *given))
 
     @contextmanager
     @documented("sf_sculpt_begin", "sf_sculpt_end", "sf_sculpt_abandon")
@@ -133,21 +140,22 @@ class Sculpt:
 
         What is raised inside gives the stroke up: the model is as it was before it.
         """
-        ok(lib.sf_sculpt_begin(self._c, c_brush(kind, tip, material, passes, mirror_x, mirror_y)))
+        self._do(lib.sf_sculpt_begin, c_brush(kind, tip, material, passes, mirror_x, mirror_y))
 
         def dab(dabs: Any) -> _types.SculptChange:
             places, change = c_dabs(dabs), ffi.new("sf_sculpt_change *")
-            ok(lib.sf_sculpt_dab(self._c, places.c, places.count, change))
+            self._do(lib.sf_sculpt_dab, places.c, places.count, change)
             return _core.value(change)  # type: ignore[no-any-return]
 
         try:
             yield dab
         except BaseException:
-            ok(lib.sf_sculpt_abandon(self._c, ffi.NULL))
+            self._do(lib.sf_sculpt_abandon, ffi.NULL)
             raise
-        ok(lib.sf_sculpt_end(self._c, ffi.NULL))
+        self._do(lib.sf_sculpt_end, ffi.NULL)
 
     @documented("sf_sculpt_drop_ghosts")
+    @_core.in_turn
     def drop_ghosts(self) -> _types.SculptChange:
         """Let what was trimmed and kept as a ghost go."""
         change = ffi.new("sf_sculpt_change *")
@@ -165,6 +173,7 @@ class Sculpt:
         ok(lib.sf_dab_line(a, b, ffi.cast("sf_dab *", ffi.from_buffer(found)), count[0], count))
         return found
 
+    @_core.in_turn
     def _step(self, call: Any) -> _types.SculptChange | None:
         change = ffi.new("sf_sculpt_change *")
         status = call(self._c, change)
@@ -188,6 +197,7 @@ class Sculpt:
         return _core.value(lib.sf_sculpt_history_of(self._c))  # type: ignore[no-any-return]
 
     @documented("sf_sculpt_replace")
+    @_core.in_turn
     def replace(self, drawn: Grid | None, materials: Any = None) -> _types.SculptChange:
         """Another shape in the place of all; None is an empty one."""
         ids = None if materials is None else _core.array_in(materials, np.uint8,

@@ -298,6 +298,17 @@ class Turns(unittest.TestCase):
                     for k, found in enumerate(pool.map(solid, range(64))):
                         np.testing.assert_array_equal(found, one[k])
 
+    def test_strokes_of_threads_come_one_after_the_other(self):
+        model, tip = libsf.Sculpt(libsf.Lattice(64, 64, 64)), libsf.Tip.shaped("sphere", 6)
+
+        def strokes(seed):
+            for at in np.random.default_rng(seed).integers(0, 64, (20, 3)):
+                model.stroke("add-trim" if seed % 2 else "remove-preserve", tip, [at])
+
+        with ThreadPoolExecutor(8) as pool:
+            list(pool.map(strokes, range(16)))
+        self.assertTrue(libsf.check(model.printable()).support_free)
+
     def test_what_is_in_the_middle_of_a_call_is_left_alone(self):
         cage = libsf.Cage.block((1, 1, 1), (0, 0, 0), (1, 1, 1))
         cage.add_property("tone", np.array(cage.points[:, 0]))
