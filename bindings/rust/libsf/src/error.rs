@@ -6,6 +6,7 @@
 // source; where a shape cannot be had, the voxels that are in the way come along.
 
 use std::ffi::CStr;
+use std::path::Path;
 use std::{fmt, io};
 
 use crate::{sys, ErrorKind, Grid};
@@ -51,6 +52,12 @@ impl Error {
 
     pub(crate) fn new(kind: ErrorKind, message: impl Into<String>) -> Error {
         Error { kind, message: message.into(), line: 0, offset: 0, culprits: None, cause: None }
+    }
+
+    /// The same error, which names the file that it is about.
+    pub(crate) fn in_file(mut self, path: &Path) -> Error {
+        self.message = format!("{}: {}", path.display(), self.message);
+        self
     }
 
     fn of(status: sys::sf_status) -> Error {

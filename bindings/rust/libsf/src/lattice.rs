@@ -75,7 +75,16 @@ impl Lattice {
     }
 
     fn checked(self) -> Result<Lattice> {
-        check(unsafe { sys::sf_lattice_validate(&self.c()) }).map(|()| self)
+        let Err(error) = check(unsafe { sys::sf_lattice_validate(&self.c()) }) else {
+            return Ok(self);
+        };
+        let ([nx, ny, nz], [px, py]) = (self.counts, self.pitch_mm);
+        let size = format!("{nx} x {ny} x {nz} voxels of {px} x {py} mm, layers of {} mm", self.layer_mm);
+        let more = match error.kind() {
+            ErrorKind::Overflow => "make the voxels larger",
+            _ => "counts and sizes must be above 0, places finite",
+        };
+        Err(Error::new(error.kind(), format!("no lattice can have {size}; {more}")))
     }
 
     /// Voxels along x.

@@ -202,7 +202,7 @@ impl Mesh {
     /// made with what reads that.
     pub fn load(path: impl AsRef<Path>) -> Result<Mesh> {
         let path = path.as_ref();
-        Mesh::read(open(path)?, MeshFormat::from_path(path)?)
+        Mesh::read(open(path)?, MeshFormat::from_path(path)?).map_err(|error| error.in_file(path))
     }
 
     /// Writes a file: STL, OBJ, PLY, 3MF or binary glTF, by its name; whole or not at all.

@@ -36,6 +36,22 @@ impl Drop for Folder {
     }
 }
 
+#[test]
+fn a_broken_file_and_a_lattice_that_cannot_be_are_named() {
+    let folder = Folder::new("named");
+    let path = folder.0.join("part.stl");
+    fs::write(&path, "hello").unwrap();
+    let error = Mesh::load(&path).unwrap_err();
+    assert_eq!((error.kind(), error.offset()), (ErrorKind::Format, 5));
+    assert!(error.message().starts_with(&format!("{}: ", path.display())), "{error}");
+    let error = Lattice::new(3, 4, 5, 0.0, 0.5).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Argument);
+    assert!(error.message().contains("3 x 4 x 5 voxels of 0 x 0 mm"), "{error}");
+    let error = Lattice::new(1 << 31, 1, 1, 0.5, 0.5).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Overflow);
+    assert!(error.message().ends_with("make the voxels larger"), "{error}");
+}
+
 /// Whether the library must be able to read stack.json.
 fn with_json() -> bool {
     cfg!(feature = "json")
