@@ -6,6 +6,9 @@
 
 #include "world.h"
 
+#include <sf/contour_io.h>
+#include <sf/gltf.h>
+
 static int is_broken(world *w)
 {
     if (!w->armed) {
@@ -145,7 +148,23 @@ static sf_status write_object(world *w, const char *kind, const void *object, sf
     if (strcmp(kind, "sf_session") == 0) {
         return sf_session_write(object, sink);
     }
+    if (strcmp(kind, "sf_contour_stack") == 0) {
+        sf_contour_format format = (sf_contour_format)draw_below(&w->in, 2);
+        return sf_contour_stack_write(object, format, sink);
+    }
     return sf_exchange_write(object, sink, NULL);
+}
+
+sf_source world_source_of_scene(world *w)
+{
+    const sf_mesh *mesh = world_need(w, "sf_mesh");
+    sf_sink sink = {write_file, w};
+    w->writing = new_file(w, "scene");
+    if (mesh == NULL || w->writing == NULL ||
+        sf_gltf_write(sf_mesh_get_view(mesh), NULL, sink) != SF_OK) {
+        return world_sf_source(w);
+    }
+    return open_file_of(w, w->writing);
 }
 
 sf_source world_source_of(world *w, const char *kind)

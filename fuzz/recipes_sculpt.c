@@ -117,6 +117,14 @@ static void *make_contour_stack(world *w)
     return stack;
 }
 
+static void *make_void_search(world *w)
+{
+    sf_void_search *search = NULL;
+    sf_voids_options options = sf_voids_options_default();
+    (void)!sf_void_search_create(&options, w->lattice.nx, w->lattice.ny, &w->allocator, &search);
+    return search;
+}
+
 static void *make_stand(world *w)
 {
     sf_stand *stand = NULL;
@@ -253,6 +261,7 @@ static const struct {
     {"sf_stand", make_stand},
     {"sf_tets", world_make_tets},
     {"sf_tip", make_tip},
+    {"sf_void_search", make_void_search},
     {"sf_voxelizer", make_voxelizer},
     {"sf_weights", world_make_weights},
 };

@@ -182,6 +182,7 @@ sf_folder world_sf_folder(world *w);
 sf_folder world_folder_of_stack(world *w);
 
 /** A source of what a writer wrote of an object of the kind, now and then with some other bytes. */
+sf_source world_source_of_scene(world *w);
 sf_source world_source_of(world *w, const char *kind);
 
 sf_slice world_sf_slice(world *w);

@@ -98,17 +98,10 @@ int sf_session_stroke(const sf_session *session, size_t step, sf_brush *brush, c
     return 1;
 }
 
-sf_status sf_session_play(const sf_session *session, size_t step, const sf_allocator *allocator,
-                          sf_sculpt *model, sf_sculpt_change *change)
+static sf_status play(const sf_session *session, size_t step, const sf_allocator *allocator,
+                      sf_sculpt *model, sf_sculpt_change *change)
 {
-    sf_sculpt_change none = {.added_voxels = 0};
-    if (session == NULL || model == NULL || step >= session->items.count) {
-        return SF_ERR_ARGUMENT;
-    }
     const sfi_session_item *item = (const sfi_session_item *)session->items.items + step;
-    if (change != NULL) {
-        *change = none;
-    }
     if (item->kind == SFI_STEP_OTHER) {
         return play_other(item->other, model, change);
     }
@@ -121,6 +114,20 @@ sf_status sf_session_play(const sf_session *session, size_t step, const sf_alloc
     size_t count;
     (void)sf_session_stroke(session, step, &brush, &dabs, &count);
     return sf_sculpt_stroke(model, &brush, dabs, count, change);
+}
+
+sf_status sf_session_play(const sf_session *session, size_t step, const sf_allocator *allocator,
+                          sf_sculpt *model, sf_sculpt_change *change)
+{
+    sf_sculpt_change found = {.added_voxels = 0}; // also where there is nothing to undo or redo
+    if (session == NULL || model == NULL || step >= session->items.count) {
+        return SF_ERR_ARGUMENT;
+    }
+    SF_TRY(play(session, step, allocator, model, change != NULL ? &found : NULL));
+    if (change != NULL) {
+        *change = found;
+    }
+    return SF_OK;
 }
 
 // SF_OK where the model is what the state says.
