@@ -353,7 +353,7 @@ class Turns(unittest.TestCase):
 class Leaks(unittest.TestCase):
     """SF_LEAK_CALLS sets how many calls there are, at least; each test makes a part of them."""
 
-    CALLS = int(os.environ.get("SF_LEAK_CALLS", "20000"))
+    CALLS = int(os.environ.get("SF_LEAK_CALLS", "6000"))
 
     def assert_nothing_stays(self, *calls, rounds=None):
         def go(count):
