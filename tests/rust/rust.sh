@@ -106,8 +106,12 @@ unpack() {
 minor=$("$cargo" --version | sed 's/^cargo [0-9]*\.\([0-9]*\).*/\1/')
 if [ "${minor:-0}" -ge 90 ]; then
     rm -rf "$here/target/package"
+    # That the C sources compile is said above; where there is a library to link to, once is enough.
+    [ "$system" = yes ] && linked='--no-default-features --features system' || linked=
+    # shellcheck disable=SC2086
     unpack >"$here/log" 2>&1 && cd "$here/unpacked" &&
-        "$cargo" check --offline --all-targets --workspace >>"$here/log" 2>&1
+        PKG_CONFIG_PATH=$build/meson-uninstalled "$cargo" check --offline --all-targets --workspace $linked \
+            >>"$here/log" 2>&1
     ok $? "what is in the archives compiles"
     cd "$here/crates" || exit 99
 else
