@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The bytes of one entry of a zip archive: as they are, or unfolded by zlib.
 //
-// zlib's memory is the caller's; its blocks carry their sizes in front, since it frees them
-// without. No more comes out of an entry than its directory says, and a checksum is compared at its
-// end.
+// No more comes out of an entry than its directory says, and a checksum is compared at its end.
 
 #include "io/archive.h"
 
 #include "base/memory.h"
 #include "base/status.h"
+#include "io/zlib_memory.h"
 
 #if defined(SF_HAVE_ZLIB) || defined(SF_HAVE_THREEMF)
 
@@ -32,29 +31,6 @@ struct sfi_archive_reader {
     z_stream stream;
     unsigned char *block;
 };
-
-static void *take(void *user, unsigned count, unsigned size)
-{
-    const sf_allocator *allocator = user;
-    size_t bytes;
-    if (!sfi_size_mul(count, size, &bytes) || !sfi_size_add(bytes, SFI_ALIGN, &bytes)) {
-        return NULL;
-    }
-    unsigned char *memory = sfi_alloc_array(allocator, bytes, 1);
-    if (memory == NULL) {
-        return NULL;
-    }
-    memcpy(memory, &bytes, sizeof bytes);
-    return memory + SFI_ALIGN;
-}
-
-static void give_back(void *user, void *memory)
-{
-    unsigned char *block = (unsigned char *)memory - SFI_ALIGN;
-    size_t bytes;
-    memcpy(&bytes, block, sizeof bytes);
-    sfi_free_array(user, block, bytes, 1);
-}
 
 uint32_t sfi_archive_crc(uint32_t crc, const void *data, size_t size)
 {
@@ -168,8 +144,8 @@ static sf_status begin(sfi_archive_reader *r, sf_fault *fault)
     if (r->entry->method == STORED) {
         return SF_OK;
     }
-    r->stream.zalloc = take;
-    r->stream.zfree = give_back;
+    r->stream.zalloc = sfi_zlib_take;
+    r->stream.zfree = sfi_zlib_give_back;
     r->stream.opaque = &r->allocator;
     if (inflateInit2(&r->stream, -15) != Z_OK) {
         return SF_ERR_MEMORY;

@@ -16,35 +16,11 @@
 
 #ifdef SF_HAVE_SPNG
 
-#include <spng.h>
+#include "io/png_stream.h"
+
 #include <string.h>
 
-typedef struct stream {
-    sf_source source;
-    sf_status status;
-} stream;
-
-static int fetch(spng_ctx *context, void *user, void *data, size_t size)
-{
-    stream *in = user;
-    (void)context;
-    for (size_t done = 0, got = 0; done < size; done += got) {
-        in->status =
-            in->source.read(in->source.user, (unsigned char *)data + done, size - done, &got);
-        if (in->status == SF_OK && got > size - done) {
-            in->status = SF_ERR_IO; // the source has broken its promise
-        }
-        if (in->status != SF_OK) {
-            return SPNG_IO_ERROR;
-        }
-        if (got == 0) {
-            return SPNG_IO_EOF;
-        }
-    }
-    return 0;
-}
-
-static sf_status refuse(const stream *in, int error, const char *name, sf_fault *fault)
+static sf_status refuse(const sfi_png_source *in, int error, const char *name, sf_fault *fault)
 {
     if (in->status == SF_ERR_MEMORY || error == SPNG_EMEM) {
         return SF_ERR_MEMORY;
@@ -57,12 +33,12 @@ static sf_status refuse(const stream *in, int error, const char *name, sf_fault 
                          in->status == SF_OK ? spng_strerror(error) : "it is damaged");
 }
 
-static sf_status open_picture(spng_ctx *context, stream *in, const char *name,
+static sf_status open_picture(spng_ctx *context, sfi_png_source *in, const char *name,
                               struct spng_ihdr *head, sf_fault *fault)
 {
     if (spng_set_image_limits(context, SF_EXTENT_MAX, SF_EXTENT_MAX) != 0 ||
         spng_set_chunk_limits(context, 1u << 20, 1u << 22) != 0 ||
-        spng_set_png_stream(context, fetch, in) != 0) {
+        spng_set_png_stream(context, sfi_png_fetch, in) != 0) {
         return SF_ERR_INTERNAL;
     }
     int error = spng_get_ihdr(context, head);
@@ -78,7 +54,7 @@ static sf_status open_picture(spng_ctx *context, stream *in, const char *name,
 
 sf_status sfi_png_look(sf_source source, const char *name, sfi_png_head *found, sf_fault *fault)
 {
-    stream in = {source, SF_OK};
+    sfi_png_source in = {source, SF_OK};
     struct spng_ihdr head;
     spng_ctx *context = spng_ctx_new(0);
     if (context == NULL) {
@@ -104,7 +80,7 @@ static void to_grey(uint8_t *row, uint32_t width)
     }
 }
 
-static sf_status read_rows(spng_ctx *context, const stream *in, const char *name,
+static sf_status read_rows(spng_ctx *context, const sfi_png_source *in, const char *name,
                            const struct spng_ihdr *head, uint8_t *row, sfi_png_row hand_on,
                            void *user, sf_fault *fault)
 {
@@ -127,7 +103,7 @@ sf_status sfi_png_read_rows(sf_source source, const sf_allocator *allocator, con
                             uint32_t width, uint32_t height, sfi_png_row hand_on, void *user,
                             sf_fault *fault)
 {
-    stream in = {source, SF_OK};
+    sfi_png_source in = {source, SF_OK};
     struct spng_ihdr head;
     uint8_t *row = sfi_alloc_array(allocator, width, 4);
     spng_ctx *context = spng_ctx_new(0);
@@ -151,25 +127,10 @@ sf_status sfi_png_read_rows(sf_source source, const sf_allocator *allocator, con
 // Writing
 // ---------------------------------------------------------------------------------------------
 
-typedef struct outlet {
-    sf_sink sink;
-    sf_status status;
-} outlet;
-
-static int pass(spng_ctx *context, void *user, void *data, size_t size)
-{
-    outlet *out = user;
-    (void)context;
-    if (out->status == SF_OK) {
-        out->status = out->sink.write(out->sink.user, data, size);
-    }
-    return out->status == SF_OK ? 0 : SPNG_IO_ERROR;
-}
-
 sf_status sfi_png_write_grey(const uint8_t *pixels, size_t row_bytes, uint32_t width,
                              uint32_t height, sf_sink sink)
 {
-    outlet out = {sink, SF_OK};
+    sfi_png_sink out = {sink, SF_OK};
     struct spng_ihdr head;
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (context == NULL) {
@@ -180,7 +141,7 @@ sf_status sfi_png_write_grey(const uint8_t *pixels, size_t row_bytes, uint32_t w
     head.height = height;
     head.bit_depth = 8;
     head.color_type = SPNG_COLOR_TYPE_GRAYSCALE;
-    int error = spng_set_png_stream(context, pass, &out);
+    int error = spng_set_png_stream(context, sfi_png_hand_on, &out);
     error = error == 0 ? spng_set_ihdr(context, &head) : error;
     if (error == 0) {
         error = spng_encode_image(context, NULL, 0, SPNG_FMT_PNG,
@@ -190,10 +151,7 @@ sf_status sfi_png_write_grey(const uint8_t *pixels, size_t row_bytes, uint32_t w
         error = spng_encode_row(context, pixels + y * row_bytes, width);
     }
     spng_ctx_free(context);
-    if (error == SPNG_EOI) {
-        return SF_OK;
-    }
-    return out.status != SF_OK ? out.status : error == SPNG_EMEM ? SF_ERR_MEMORY : SF_ERR_INTERNAL;
+    return sfi_png_written(&out, error);
 }
 
 #else

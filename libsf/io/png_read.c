@@ -12,35 +12,11 @@
 
 #ifdef SF_HAVE_SPNG
 
-#include <spng.h>
+#include "io/png_stream.h"
+
 #include <string.h>
 
-typedef struct png_source {
-    sf_source source;
-    sf_status status;
-} png_source;
-
-static int fetch(spng_ctx *context, void *user, void *data, size_t size)
-{
-    png_source *in = user;
-    (void)context;
-    for (size_t done = 0, got = 0; done < size; done += got) {
-        in->status =
-            in->source.read(in->source.user, (unsigned char *)data + done, size - done, &got);
-        if (in->status == SF_OK && got > size - done) {
-            in->status = SF_ERR_IO; // the source has broken its promise
-        }
-        if (in->status != SF_OK) {
-            return SPNG_IO_ERROR;
-        }
-        if (got == 0) {
-            return SPNG_IO_EOF;
-        }
-    }
-    return 0;
-}
-
-static sf_status in_fault(const png_source *in, int error, const char *name, sf_fault *fault)
+static sf_status in_fault(const sfi_png_source *in, int error, const char *name, sf_fault *fault)
 {
     if (in->status != SF_OK) {
         return sfi_picture_fault(fault, in->status, name, "reading failed");
@@ -53,7 +29,7 @@ static sf_status in_fault(const png_source *in, int error, const char *name, sf_
                          spng_strerror(error));
 }
 
-static sf_status read_head(spng_ctx *context, const png_source *in, const char *name,
+static sf_status read_head(spng_ctx *context, const sfi_png_source *in, const char *name,
                            sf_slice slice, int ids, struct spng_ihdr *head, sf_fault *fault)
 {
     int error = spng_get_ihdr(context, head);
@@ -101,7 +77,7 @@ static void pack_ids(unsigned char *row, uint32_t width, unsigned depth)
     }
 }
 
-static sf_status read_rows(spng_ctx *context, const png_source *in, const char *name,
+static sf_status read_rows(spng_ctx *context, const sfi_png_source *in, const char *name,
                            sf_slice slice, const struct spng_ihdr *head, unsigned char *row,
                            sf_fault *fault)
 {
@@ -127,7 +103,7 @@ static sf_status read_rows(spng_ctx *context, const png_source *in, const char *
 static sf_status read_picture(sf_source source, const sf_allocator *allocator, const char *name,
                               sf_slice slice, int ids, int check_only, sf_fault *fault)
 {
-    png_source in = {source, SF_OK};
+    sfi_png_source in = {source, SF_OK};
     struct spng_ihdr head;
     sf_allocator from = sfi_allocator_or_default(allocator);
     unsigned char *row = sfi_alloc_array(&from, slice.width, 1);
@@ -139,7 +115,7 @@ static sf_status read_picture(sf_source source, const sf_allocator *allocator, c
             error = spng_set_chunk_limits(context, 1u << 20, 1u << 22);
         }
         if (error == 0) {
-            error = spng_set_png_stream(context, fetch, &in);
+            error = spng_set_png_stream(context, sfi_png_fetch, &in);
         }
         status =
             error == 0 ? read_head(context, &in, name, slice, ids, &head, fault) : SF_ERR_INTERNAL;

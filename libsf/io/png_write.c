@@ -14,7 +14,8 @@
 
 #ifdef SF_HAVE_SPNG
 
-#include <spng.h>
+#include "io/png_stream.h"
+
 #include <string.h>
 
 int sf_stack_has_png(void)
@@ -22,32 +23,8 @@ int sf_stack_has_png(void)
     return 1;
 }
 
-typedef struct png_sink {
-    sf_sink sink;
-    sf_status status;
-} png_sink;
-
-static int hand_on(spng_ctx *context, void *user, void *data, size_t size)
-{
-    png_sink *out = user;
-    (void)context;
-    if (out->status == SF_OK) {
-        out->status = out->sink.write(out->sink.user, data, size);
-    }
-    return out->status == SF_OK ? 0 : SPNG_IO_ERROR;
-}
-
-// What a failure of libspng means: what the sink said, or memory, the only other thing it runs out
-// of.
-static sf_status out_status(const png_sink *out, int error)
-{
-    if (out->status != SF_OK) {
-        return out->status;
-    }
-    return error == SPNG_EMEM ? SF_ERR_MEMORY : SF_ERR_INTERNAL;
-}
-
-static int begin_writing(spng_ctx *context, png_sink *out, uint32_t width, uint32_t height, int rgb)
+static int begin_writing(spng_ctx *context, sfi_png_sink *out, uint32_t width, uint32_t height,
+                         int rgb)
 {
     struct spng_ihdr head;
     memset(&head, 0, sizeof head);
@@ -55,7 +32,7 @@ static int begin_writing(spng_ctx *context, png_sink *out, uint32_t width, uint3
     head.height = height;
     head.bit_depth = rgb ? 8 : 1;
     head.color_type = rgb ? SPNG_COLOR_TYPE_TRUECOLOR : SPNG_COLOR_TYPE_GRAYSCALE;
-    int error = spng_set_png_stream(context, hand_on, out);
+    int error = spng_set_png_stream(context, sfi_png_hand_on, out);
     if (error == 0) {
         error = spng_set_ihdr(context, &head);
     }
@@ -72,7 +49,7 @@ static int begin_writing(spng_ctx *context, png_sink *out, uint32_t width, uint3
 sf_status sfi_png_write(sf_slice slice, sf_sink sink)
 {
     unsigned char packed[SFI_PICTURE_ROW_BYTES];
-    png_sink out = {sink, SF_OK};
+    sfi_png_sink out = {sink, SF_OK};
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (context == NULL) {
         return SF_ERR_MEMORY;
@@ -83,7 +60,7 @@ sf_status sfi_png_write(sf_slice slice, sf_sink sink)
         error = spng_encode_row(context, packed, (slice.width + 7) / 8);
     }
     spng_ctx_free(context);
-    return error == SPNG_EOI ? SF_OK : out_status(&out, error);
+    return sfi_png_written(&out, error);
 }
 
 sf_status sf_png_write_rgb(const uint8_t *pixels, uint32_t width, uint32_t height, sf_sink sink)
@@ -92,7 +69,7 @@ sf_status sf_png_write_rgb(const uint8_t *pixels, uint32_t width, uint32_t heigh
         width > SF_EXTENT_MAX || height > SF_EXTENT_MAX) {
         return SF_ERR_ARGUMENT;
     }
-    png_sink out = {sink, SF_OK};
+    sfi_png_sink out = {sink, SF_OK};
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (context == NULL) {
         return SF_ERR_MEMORY;
@@ -102,14 +79,14 @@ sf_status sf_png_write_rgb(const uint8_t *pixels, uint32_t width, uint32_t heigh
         error = spng_encode_row(context, pixels + (size_t)y * 3 * width, (size_t)3 * width);
     }
     spng_ctx_free(context);
-    return error == SPNG_EOI ? SF_OK : out_status(&out, error);
+    return sfi_png_written(&out, error);
 }
 
 sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t height,
                                sf_sink sink)
 {
     struct spng_ihdr head;
-    png_sink out = {sink, SF_OK};
+    sfi_png_sink out = {sink, SF_OK};
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (context == NULL) {
         return SF_ERR_MEMORY;
@@ -119,7 +96,7 @@ sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t 
     head.height = height;
     head.bit_depth = 16;
     head.color_type = SPNG_COLOR_TYPE_GRAYSCALE;
-    int error = spng_set_png_stream(context, hand_on, &out);
+    int error = spng_set_png_stream(context, sfi_png_hand_on, &out);
     if (error == 0) {
         error = spng_set_ihdr(context, &head);
     }
@@ -131,7 +108,7 @@ sf_status sfi_png_write_grey16(const uint16_t *values, uint32_t width, uint32_t 
         error = spng_encode_row(context, values + (size_t)y * width, (size_t)2 * width);
     }
     spng_ctx_free(context);
-    return error == SPNG_EOI ? SF_OK : out_status(&out, error);
+    return sfi_png_written(&out, error);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -177,12 +154,12 @@ sf_status sfi_png_write_ids(const uint8_t *ids, size_t stride, uint32_t width, u
 {
     unsigned char packed[SF_EXTENT_MAX];
     unsigned depth = depth_of(palette->count);
-    png_sink out = {sink, SF_OK};
+    sfi_png_sink out = {sink, SF_OK};
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (context == NULL) {
         return SF_ERR_MEMORY;
     }
-    int error = spng_set_png_stream(context, hand_on, &out);
+    int error = spng_set_png_stream(context, sfi_png_hand_on, &out);
     if (error == 0) {
         struct spng_ihdr head;
         memset(&head, 0, sizeof head);
@@ -207,7 +184,7 @@ sf_status sfi_png_write_ids(const uint8_t *ids, size_t stride, uint32_t width, u
         error = spng_encode_row(context, packed, ((size_t)width * depth + 7) / 8);
     }
     spng_ctx_free(context);
-    return error == SPNG_EOI ? SF_OK : out_status(&out, error);
+    return sfi_png_written(&out, error);
 }
 
 #else

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A zip archive as a stream, by zlib.
 //
-// zlib is given the caller's memory: its blocks carry their sizes in front, since it frees them
-// without. Every entry is deflated, dense ones at level 0, so that readers that go front to back
-// find its end.
+// Every entry is deflated, dense ones at level 0, so that readers that go front to back find its
+// end.
 
 #include "io/zip_write.h"
 
@@ -12,6 +11,7 @@
 #include "io/emitter.h"
 #include "io/list.h"
 #include "io/path.h"
+#include "io/zlib_memory.h"
 
 #ifdef SF_HAVE_THREEMF
 
@@ -40,33 +40,6 @@ struct sfi_zip_out_state {
     uint32_t crc;
     unsigned char block[BLOCK];
 };
-
-// ---------------------------------------------------------------------------------------------
-// zlib's memory
-// ---------------------------------------------------------------------------------------------
-
-static void *take(void *user, unsigned count, unsigned size)
-{
-    const sf_allocator *allocator = user;
-    size_t bytes;
-    if (!sfi_size_mul(count, size, &bytes) || !sfi_size_add(bytes, SFI_ALIGN, &bytes)) {
-        return NULL;
-    }
-    unsigned char *memory = sfi_alloc_array(allocator, bytes, 1);
-    if (memory == NULL) {
-        return NULL;
-    }
-    memcpy(memory, &bytes, sizeof bytes);
-    return memory + SFI_ALIGN;
-}
-
-static void give_back(void *user, void *memory)
-{
-    unsigned char *block = (unsigned char *)memory - SFI_ALIGN;
-    size_t bytes;
-    memcpy(&bytes, block, sizeof bytes);
-    sfi_free_array(user, block, bytes, 1);
-}
 
 // ---------------------------------------------------------------------------------------------
 // Bytes
@@ -197,8 +170,8 @@ sf_status sfi_zip_out_begin(sfi_zip_out *zip, const char *name, int is_dense, sf
     }
     SF_TRY(zip->status);
     memset(&zip->stream, 0, sizeof zip->stream);
-    zip->stream.zalloc = take;
-    zip->stream.zfree = give_back;
+    zip->stream.zalloc = sfi_zlib_take;
+    zip->stream.zfree = sfi_zlib_give_back;
     zip->stream.opaque = &zip->allocator;
     int made = deflateInit2(&zip->stream, is_dense ? 0 : 6, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY);
     if (made != Z_OK) {

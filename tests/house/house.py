@@ -391,7 +391,7 @@ def check_lists():
             bad.append(f"{path} is in no meson.build")
     installed = set(re.findall(r"'(\w+)'", read("libsf/include/meson.build")))
     adapters = read("libsf/link/meson.build") if os.path.exists(os.path.join(SOURCE, "libsf/link/meson.build")) else ""
-    installed |= set(re.findall(r"include/sf/(link/\w+)\.h", adapters))
+    installed |= {"link/" + name for name in re.findall(r"^  \['(\w+)', ", adapters, re.M)}
     bad += [f"{h} is not installed" for h in HEADERS
             if h.removeprefix("libsf/include/sf/").removesuffix(".h") not in installed]
     return bad
